@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Something a person should know about an asset: a stable code, how bad, how often, and where the first few are.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/index.h"
+#include "core/vec3.h"
+
+namespace crumple {
+
+enum class Severity { info, warning, error };
+
+struct Place {
+    Vec3 position;         // metres, in the asset's space
+    Index element = none;  // vertex, triangle or tet, as the finding's code says
+    std::string name;      // what the artist knows it by: component, mesh or material; may be empty
+};
+
+struct Finding {
+    std::string code;  // SHELL_OPEN, LOCK_CONFLICT, ...: never renamed
+    Severity severity = Severity::info;
+    std::string message;  // what, and what to try
+    std::uint64_t count = 1;
+    std::vector<Place> places;  // the first few only, at most max_places
+};
+
+inline constexpr std::size_t max_places = 8;
+
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a function in a limited child process, so that a crash, a hang or a runaway in a reader of untrusted files
+// becomes a value here instead of the end of us. POSIX: fork, rlimits, a pipe for the answer.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace crumple::sandbox {
+
+struct Limits {
+    std::size_t memory_bytes = std::size_t{8} << 30;  // of the child; sanitizer builds watch resident memory instead
+    double time_s = 120;                              // wall clock
+    std::size_t answer_bytes = std::size_t{8} << 30;  // of what it may send back
+};
+
+enum class Ending { ok, refused, crashed, out_of_time, out_of_memory };
+
+struct Outcome {
+    Ending ending = Ending::ok;
+    std::vector<std::byte> answer;  // what the function returned, for ok
+    std::string message;            // what an Error said (refused), the signal's name, the limit met
+    int error_kind = 0;             // the ErrorKind of a refused Error
+};
+
+// REQUIRES: no other thread of this process is running (they do not exist in the child).
+[[nodiscard]] Outcome run_in_child(const std::function<std::vector<std::byte>()>& function, const Limits& limits);
+
+}

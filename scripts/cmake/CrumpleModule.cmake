@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# The two functions every folder of the project is built with.
+#
+#   crumple_module(cull SOURCES cull.cpp classify.cpp USES core geometry mesh PACKAGES CGAL::CGAL [LICENSE MIT])
+#   crumple_test(cull [SOURCES test_cull.cpp ...] [USES sample ...] [PACKAGES CGAL::CGAL])
+#
+# A module may only use modules that were added before it, so the layers of lib/README.md hold at configure time.
+# Packages are linked PRIVATE: their headers appear in .cpp files only.
+
+include(GNUInstallDirs)
+
+function(_crumple_flags target)
+    # Exact predicates rely on plain IEEE arithmetic: never fuse a multiplication with an addition behind our back.
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+    if(CRUMPLE_WERROR)
+        target_compile_options(${target} PRIVATE -Werror)
+    endif()
+endfunction()
+
+function(crumple_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "LICENSE" "SOURCES;USES;PACKAGES")
+    if(NOT arg_LICENSE)
+        set(arg_LICENSE GPL)
+    endif()
+    foreach(used IN LISTS arg_USES)
+        if(NOT TARGET crumple_${used})
+            message(FATAL_ERROR "module '${name}' uses '${used}', which is not a module on a layer below it")
+        endif()
+        get_target_property(used_license crumple_${used} CRUMPLE_LICENSE)
+        if(arg_LICENSE STREQUAL "MIT" AND NOT used_license STREQUAL "MIT")
+            message(FATAL_ERROR "MIT module '${name}' may not use '${used}', which is ${used_license}")
+        endif()
+    endforeach()
+    add_library(crumple_${name} STATIC ${arg_SOURCES})
+    add_library(crumple::${name} ALIAS crumple_${name})
+    set_target_properties(crumple_${name} PROPERTIES
+        CRUMPLE_LICENSE ${arg_LICENSE} EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(crumple_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/crumple>)
+    target_compile_features(crumple_${name} PUBLIC cxx_std_20)
+    list(TRANSFORM arg_USES PREPEND crumple_ OUTPUT_VARIABLE used_targets)
+    target_link_libraries(crumple_${name} PUBLIC ${used_targets} PRIVATE ${arg_PACKAGES})
+    _crumple_flags(crumple_${name})
+    set_property(GLOBAL APPEND PROPERTY CRUMPLE_MODULES ${name})
+    set_property(GLOBAL PROPERTY CRUMPLE_MODULE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
+endfunction()
+
+# One test program a module: tests/<module>/test_*.cpp against the module and everything below it.
+function(crumple_test name)
+    if(NOT CRUMPLE_TESTS)
+        return()
+    endif()
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES;PACKAGES")
+    add_executable(test_${name} ${arg_SOURCES})
+    list(TRANSFORM arg_USES PREPEND crumple_ OUTPUT_VARIABLE used_targets)
+    if(TARGET crumple_${name})
+        list(APPEND used_targets crumple_${name})
+    endif()
+    target_link_libraries(test_${name} PRIVATE ${used_targets} ${arg_PACKAGES} GTest::gtest GTest::gtest_main)
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    _crumple_flags(test_${name})
+    include(GoogleTest)
+    # Tests that need the shared data read CRUMPLE_DATA and skip visibly where it is absent.
+    gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()
