@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "samples/samples.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "samples/blob.h"
+#include "samples/write.h"
+
+namespace crumple::samples {
+namespace {
+
+std::vector<File> blob_files() {
+    return {{"blob_shell.ply", ply_bytes(blob_shell())}, {"blob_visual.ply", ply_bytes(blob_visual())}};
+}
+
+constexpr Sample table[] = {
+    {"blob", "a four-legged blob with locked feet and a finer visual mesh", blob_files},
+};
+
+void write_file(const std::filesystem::path& path, const std::string& bytes) {
+    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream)
+        throw Error(ErrorKind::file,
+                    path.string() + ": cannot be written; check the folder's permissions and free space");
+}
+
+}
+
+std::span<const Sample> list() { return table; }
+
+const Sample& find(std::string_view name) {
+    std::string known;
+    for (const auto& sample : table) {
+        if (sample.name == name) return sample;
+        known += (known.empty() ? "" : ", ") + std::string(sample.name);
+    }
+    throw Error(ErrorKind::usage, "no sample is called '" + std::string(name) + "'; there are: " + known);
+}
+
+std::vector<std::string> write(std::string_view name, const std::string& folder) {
+    const auto& sample = find(name);
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (problem) throw Error(ErrorKind::file, folder + ": cannot be made a folder: " + problem.message());
+    std::vector<std::string> paths;
+    for (const auto& file : sample.make()) {
+        const auto path = std::filesystem::path(folder) / file.name;
+        write_file(path, file.bytes);
+        paths.push_back(path.string());
+    }
+    return paths;
+}
+
+}
