@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Generalized winding number of a triangle soup [Jacobson, Kavan, Sorkine-Hornung 2013]: 1 inside a closed outward
-// surface, 0 outside, in between where the surface is open. Evaluated over a tree with the far-field expansion of
-// [Barill, Dickson, Schmidt, Levin, Jacobson 2018] where it cannot change a decision, exactly near the surface.
+// surface, 0 outside, in between where the surface is open, about one half on the surface itself. Accurate to 1e-9 at
+// any distance: parts of the surface seen from outside their box are replaced by a fan over their boundary, not
+// approximated.
 #pragma once
 #include <memory>
 #include <span>
@@ -14,7 +15,8 @@ namespace crumple {
 
 class WindingNumber {
 public:
-    // Copies what it needs; F = triangles.size(), any order of triangles gives the same answer to 1e-9.
+    // Copies what it needs. The order of vertices and triangles and unwelded copies of a place do not change one bit of
+    // an answer. REQUIRES: indices within positions, positions finite.
     WindingNumber(std::span<const Vec3> positions, std::span<const Triangle> triangles);
     ~WindingNumber();
     WindingNumber(WindingNumber&&) noexcept;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/winding_number.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.h"
+
+namespace crumple {
+namespace {
+
+struct Soup {
+    std::vector<Vec3> positions;
+    std::vector<Triangle> triangles;
+};
+
+// A wavy torus: 2 * around * across triangles, concave, many tree levels.
+Soup wavy_torus(int around, int across) {
+    Soup soup;
+    const auto number = [&](int i, int j) { return static_cast<Index>((i % around) * across + j % across); };
+    for (int i = 0; i < around; ++i) {
+        for (int j = 0; j < across; ++j) {
+            const double u = 2 * std::numbers::pi * i / around;
+            const double v = 2 * std::numbers::pi * j / across;
+            const double r = 0.4 + 0.1 * std::sin(5 * u) * std::cos(3 * v);
+            soup.positions.push_back(
+                {(1 + r * std::cos(v)) * std::cos(u), r * std::sin(v), (1 + r * std::cos(v)) * std::sin(u)});
+            soup.triangles.push_back({number(i, j), number(i, j + 1), number(i + 1, j)});
+            soup.triangles.push_back({number(i + 1, j), number(i, j + 1), number(i + 1, j + 1)});
+        }
+    }
+    return soup;
+}
+
+// The definition, with an arctangent a triangle.
+double slow_winding(const Soup& soup, Vec3 p) {
+    double sum = 0;
+    for (const auto& t : soup.triangles) {
+        const Vec3 a = soup.positions[t[0]] - p;
+        const Vec3 b = soup.positions[t[1]] - p;
+        const Vec3 c = soup.positions[t[2]] - p;
+        const double below =
+            length(a) * length(b) * length(c) + dot(a, b) * length(c) + dot(b, c) * length(a) + dot(c, a) * length(b);
+        sum += 2 * std::atan2(dot(a, cross(b, c)), below);
+    }
+    return sum / (4 * std::numbers::pi);
+}
+
+std::vector<Vec3> points_around(std::uint64_t seed, int count) {
+    Rng rng(seed);
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) {
+        const double x = rng.next_unit() * 4 - 2;
+        const double y = rng.next_unit() * 2 - 1;
+        points.push_back({x, y, rng.next_unit() * 4 - 2});
+    }
+    return points;
+}
+
+TEST(WindingNumber, OfNothingIsZero) {
+    EXPECT_EQ(WindingNumber({}, {}).at({1, 2, 3}), 0);
+    const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}};
+    const std::vector<Triangle> flat{{0, 1, 1}, {0, 0, 0}};
+    EXPECT_EQ(WindingNumber(positions, flat).at({0, 0, 0}), 0);
+}
+
+TEST(WindingNumber, EqualsTheDefinitionOnClosedAndOpenSurfaces) {
+    Soup soup = wavy_torus(40, 24);
+    for (const int dropped : {0, 1, 300}) {
+        soup.triangles.resize(soup.triangles.size() - dropped);
+        const WindingNumber winding(soup.positions, soup.triangles);
+        for (const Vec3 p : points_around(7, 300)) EXPECT_NEAR(winding.at(p), slow_winding(soup, p), 1e-11);
+    }
+}
+
+TEST(WindingNumber, IsAWholeNumberOffAClosedSurface) {
+    const Soup soup = wavy_torus(48, 24);
+    const WindingNumber winding(soup.positions, soup.triangles);
+    int inside = 0;
+    for (const Vec3 p : points_around(3, 500)) {
+        const double w = winding.at(p);
+        EXPECT_NEAR(w, std::round(w), 1e-12);
+        inside += w > 0.5;
+    }
+    EXPECT_GT(inside, 20);
+}
+
+TEST(WindingNumber, CountsOverlappingSurfacesTwice) {
+    Soup soup = wavy_torus(20, 10);
+    const auto once = soup.triangles;
+    soup.triangles.insert(soup.triangles.end(), once.begin(), once.end());
+    EXPECT_NEAR(WindingNumber(soup.positions, soup.triangles).at({1, 0, 0}), 2, 1e-12);
+}
+
+TEST(WindingNumber, OrderAndWeldingDoNotChangeABit) {
+    const Soup soup = wavy_torus(30, 16);
+    Soup torn;  // unwelded, reversed, corners rotated
+    for (auto t = soup.triangles.rbegin(); t != soup.triangles.rend(); ++t) {
+        const auto first = static_cast<Index>(torn.positions.size());
+        for (const int corner : {1, 2, 0}) torn.positions.push_back(soup.positions[(*t)[corner]]);
+        torn.triangles.push_back({first, first + 1, first + 2});
+    }
+    const WindingNumber a(soup.positions, soup.triangles);
+    const WindingNumber b(torn.positions, torn.triangles);
+    for (const Vec3 p : points_around(11, 200)) EXPECT_EQ(a.at(p), b.at(p));
+}
+
+TEST(WindingNumber, IsOneHalfOnAFlatSide) {
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<Triangle> sides{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    EXPECT_NEAR(WindingNumber(corners, sides).at({0.25, 0.25, 0}), 0.5, 1e-12);
+    EXPECT_TRUE(std::isfinite(WindingNumber(corners, sides).at({0, 0, 0})));
+    EXPECT_TRUE(std::isfinite(WindingNumber(corners, sides).at({0.5, 0, 0})));
+}
+
+TEST(WindingNumber, ScaleAndPlaceDoNotMatter) {
+    const Soup soup = wavy_torus(24, 12);
+    for (const double scale : {1e-30, 1e-6, 1e6, 1e30}) {
+        Soup scaled = soup;
+        for (Vec3& p : scaled.positions) p = p * scale;
+        const WindingNumber winding(scaled.positions, scaled.triangles);
+        EXPECT_NEAR(winding.at(Vec3{1, 0, 0} * scale), 1, 1e-12);
+        EXPECT_NEAR(winding.at(Vec3{0, 0, 0}), 0, 1e-12);
+        EXPECT_NEAR(winding.at(Vec3{1e9, 1e9, 1e9} * scale), 0, 1e-12);
+    }
+}
+
+}
+}
