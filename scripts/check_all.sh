@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The long runs, hours in all. scripts/test.sh is the quick part.
+#
+#   scripts/check_all.sh [--fuzz-minutes N] [STEP...]
+#
+# Steps, all of them by default:
+#   full        every test in its long form (CRUMPLE_FULL_TESTS=1), Release and sanitized
+#   compilers   the suite with clang, and the sample car cooked by gcc and by clang: same bytes
+#   fuzz        each libFuzzer target for N minutes, 10 by default
+#   bench       every benchmark at its full size, figures in build/bench/*.json
+set -euo pipefail
+cd "$(dirname "$(readlink -f "$0")")/.."
+
+minutes=10 steps=()
+while [ $# -gt 0 ]; do
+    case "$1" in
+        --fuzz-minutes) minutes="${2:?--fuzz-minutes: how many?}"; shift ;;
+        full | compilers | fuzz | bench) steps+=("$1") ;;
+        *) sed -n '4,12s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+    esac
+    shift
+done
+[ ${#steps[@]} -gt 0 ] || steps=(full compilers fuzz bench)
+
+run_full() {
+    for preset in release dev; do
+        scripts/build.sh "$preset"
+        CRUMPLE_FULL_TESTS=1 ctest --preset "$preset" --parallel "$(nproc)" --timeout 36000
+    done
+}
+
+cook_with() {
+    "build/$1/crumple" cook pipelines/car_body.json --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb \
+        -q -o "build/$1/car.hdf"
+}
+
+run_compilers() {
+    scripts/test.sh clang
+    scripts/build.sh release crumple
+    cook_with release
+    cook_with clang
+    cmp build/release/car.hdf build/clang/car.hdf
+    echo "gcc and clang cook the same bytes" >&2
+}
+
+run_fuzz() {
+    scripts/build.sh fuzz
+    local target name
+    for target in build/fuzz/tests/fuzz/fuzz_*; do
+        [ -x "$target" ] && [ -f "$target" ] || continue
+        name="$(basename "$target")"
+        echo "== $name for $minutes minutes" >&2
+        mkdir -p "build/fuzz/corpus/$name"
+        local corpora=("build/fuzz/corpus/$name")
+        if [ -d "tests/fuzz/corpus/$name" ]; then corpora+=("tests/fuzz/corpus/$name"); fi
+        "$target" -max_total_time=$((minutes * 60)) -timeout=30 -print_final_stats=1 \
+            -artifact_prefix="build/fuzz/$name-" "${corpora[@]}"
+    done
+}
+
+run_bench() {
+    local name
+    mkdir -p build/bench
+    for name in $(sed -n 's/^crumple_bench(\([a-z_]*\).*/\1/p' tests/bench/CMakeLists.txt); do
+        scripts/bench.sh "$name" --json "build/bench/$name.json"
+    done
+}
+
+scripts/install_packages.sh build test bench check
+for step in "${steps[@]}"; do
+    echo "== check_all: $step" >&2
+    "run_$step"
+done
+echo "every step passed: ${steps[*]}" >&2

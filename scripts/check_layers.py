@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Holds the layers and the licences of lib/README.md:
+
+- a module includes headers of itself and of the modules its CMakeLists.txt says it USES, nothing else of ours;
+- heavy packages stay where they live, and out of headers;
+- every source says its licence, the one of its module; an MIT module reaches MIT modules only.
+
+    scripts/check_layers.py [ROOT]
+
+Prints one line an offence and exits 1 when there is one.
+"""
+import pathlib
+import re
+import sys
+
+# Package header -> modules that may include it. Test programs may include any.
+PACKAGES = {
+    r"CGAL/|boost/|gmp": {"geometry", "importer"},
+    r"assimp/": {"importer"},
+    r"hdf5|H5": {"store"},
+    r"openssl/": {"store"},
+    r"nlohmann/": {"pipeline", "report"},
+    r"valijson/": set(),
+    r"CLI/": {"cli"},
+    r"Eigen/": {"reference"},
+}
+SPDX = {"MIT": "SPDX-License-Identifier: MIT", "GPL": "SPDX-License-Identifier: GPL-3.0-or-later"}
+SOURCES = {".h", ".cpp", ".py", ".sh", ".cmake"}
+GENERATED = ("build", ".git")
+
+
+class Module:
+    def __init__(self, folder, text):
+        call = re.search(r"crumple_module\(\s*(\w+)([^)]*)\)", text)
+        self.folder = folder
+        self.name = call.group(1)
+        words = call.group(2).split()
+        self.uses = set(section(words, "USES"))
+        self.licence = "MIT" if section(words, "LICENSE") == ["MIT"] else "GPL"
+
+
+def section(words, keyword):
+    if keyword not in words:
+        return []
+    rest = words[words.index(keyword) + 1:]
+    ends = [i for i, word in enumerate(rest) if word in ("LICENSE", "SOURCES", "USES", "PACKAGES")]
+    return rest[:ends[0]] if ends else rest
+
+
+def without_comments(text):
+    return "\n".join(line.split("#")[0] for line in text.splitlines())
+
+
+def read_modules(root):
+    modules = {}
+    for path in sorted(root.glob("lib/*/CMakeLists.txt")) + [root / "samples/CMakeLists.txt"]:
+        text = without_comments(path.read_text()) if path.exists() else ""
+        if "crumple_module(" in text:
+            module = Module(path.parent, text)
+            modules[module.name] = module
+    return modules
+
+
+def sources_below(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in SOURCES and p.is_file())
+
+
+def includes_of(path):
+    for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def reach(modules, name, seen=None):
+    """The module and everything it uses, directly or not."""
+    seen = set() if seen is None else seen
+    if name not in seen:
+        seen.add(name)
+        for used in modules[name].uses & modules.keys():
+            reach(modules, used, seen)
+    return seen
+
+
+def check_includes(root, modules, module):
+    for path in sources_below(module.folder):
+        where = path.relative_to(root)
+        for number, _, target in includes_of(path):
+            owner = target.split("/")[0]
+            if owner in modules and owner != module.name and owner not in module.uses:
+                yield f"{where}:{number}: {module.name} includes {target} but does not say USES {owner}"
+        yield from check_packages(where, path, module.name)
+
+
+def check_packages(where, path, owner):
+    for number, bracket, target in includes_of(path):
+        for pattern, allowed in PACKAGES.items():
+            if bracket == "<" and re.match(pattern, target):
+                if owner not in allowed:
+                    yield f"{where}:{number}: {owner} includes <{target}>; only {', '.join(sorted(allowed)) or 'tests'} may"
+                elif path.suffix == ".h":
+                    yield f"{where}:{number}: <{target}> in a header; heavy packages appear in .cpp files only"
+
+
+def check_licences(modules, module):
+    if module.licence == "MIT":
+        for name in sorted(reach(modules, module.name)):
+            if modules[name].licence != "MIT":
+                yield f"{module.name} is MIT and reaches {name}, which is GPL"
+
+
+def check_spdx(root, modules):
+    owner = {module.folder: module for module in modules.values()}
+    for path in sources_below(root):
+        where = path.relative_to(root)
+        if where.parts[0].startswith(GENERATED):
+            continue
+        head = "\n".join(path.read_text(errors="replace").splitlines()[:2])
+        module = owner.get(path.parent)
+        if module and SPDX[module.licence] not in head:
+            yield f"{where}: the first lines lack '{SPDX[module.licence]}', the licence of {module.name}"
+        elif not any(line in head for line in SPDX.values()):
+            yield f"{where}: the first lines lack 'SPDX-License-Identifier'"
+
+
+def offences(root):
+    modules = read_modules(root)
+    for module in modules.values():
+        yield from check_includes(root, modules, module)
+        yield from check_licences(modules, module)
+    if (root / "cli").is_dir():
+        for path in sources_below(root / "cli"):
+            yield from check_packages(path.relative_to(root), path, "cli")
+    yield from check_spdx(root, modules)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
+    found = list(offences(root))
+    print("\n".join(found) if found else "layers and licences hold")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,194 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws meshes and cooked bundles into a PNG, without a display.
+
+    scripts/render_mesh.py samples/car/car_shell.glb -o shell.png --wire
+    scripts/render_mesh.py car.hdf -o inside.png --cut x=0.2
+    scripts/render_mesh.py car_visual.glb car_shell.glb -o both.png --ghost car_shell
+
+Needs python3-vtk9, python3-numpy, and xvfb where no display is set.
+"""
+import argparse
+import os
+import shutil
+import sys
+
+import numpy
+
+import mesh_files
+
+VIEWS = {"quarter": (-1.3, 0.8, 1.6), "rear": (1.3, 0.8, -1.6), "side": (-1, 0, 0), "front": (0, 0, 1), "top": (0, 1, 0.001),
+         "below": (-1, -0.8, 1.2)}
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+")
+    parser.add_argument("-o", "--out", required=True, help="the PNG to write")
+    parser.add_argument("--view", choices=VIEWS, default="quarter")
+    parser.add_argument("--size", default="1280x720")
+    parser.add_argument("--zoom", type=float, default=1.25)
+    parser.add_argument("--wire", action="store_true", help="draw triangle edges")
+    parser.add_argument("--locks", action="store_true", help="mark locked vertices with red balls")
+    parser.add_argument("--ghost", action="append", default=[], metavar="NAME", help="see-through part (or file stem); repeatable")
+    parser.add_argument("--hide", action="append", default=[], metavar="NAME", help="leave a part out; repeatable")
+    parser.add_argument("--cut", metavar="x=0.2", help="keep only elements whose middle lies below this coordinate")
+    return parser.parse_args()
+
+
+def middles_kept(part, cut):
+    axis, limit = cut.split("=")
+    middle = part.points[part.triangles].mean(axis=1)
+    return middle[:, "xyz".index(axis)] < float(limit)
+
+
+def boundary(part):
+    """Faces of tets that no other tet shares, with the tet each belongs to."""
+    corners = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
+    faces = numpy.concatenate([part.triangles[:, c] for c in corners])
+    owner = numpy.tile(numpy.arange(len(part.triangles)), 4)
+    _, first, count = numpy.unique(numpy.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    alone = first[count == 1]
+    return faces[alone], owner[alone]
+
+
+def poly_data(part, cut):
+    import vtk
+    from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    cell_colors = len(part.colors) == len(part.triangles) and part.triangles.shape[1] == 4
+    if cut:
+        kept = middles_kept(part, cut)
+        part.triangles = part.triangles[kept]
+        if cell_colors:
+            part.colors = part.colors[kept]
+    faces, colors = part.triangles, part.colors
+    if faces.shape[1] == 4:
+        faces, owner = boundary(part)
+        colors = part.colors[owner]
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(part.points), deep=True))
+    cells = vtk.vtkCellArray()
+    cells.SetCells(len(faces), numpy_to_vtkIdTypeArray(
+        numpy.hstack([numpy.full((len(faces), 1), 3), faces]).astype(numpy.int64).ravel(), deep=True))
+    mesh = vtk.vtkPolyData()
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+    if len(colors):
+        scalars = numpy_to_vtk(numpy.ascontiguousarray(display(colors)), deep=True)
+        (mesh.GetCellData() if cell_colors else mesh.GetPointData()).SetScalars(scalars)
+    return mesh
+
+
+def display(linear):
+    """Vertex colours are linear light, a screen wants sRGB."""
+    return (255 * (numpy.clip(linear, 0, 255) / 255) ** (1 / 2.2)).astype(numpy.uint8)
+
+
+def actor_of(part, args, ghost):
+    import vtk
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(poly_data(part, args.cut))
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetInterpolationToFlat()
+    look.SetAmbient(0.15)
+    look.SetDiffuse(0.85)
+    look.SetSpecular(0.15)
+    look.SetSpecularPower(30)
+    if ghost:
+        look.SetRepresentationToWireframe()
+        look.SetOpacity(0.35)
+    elif args.wire:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(0.1, 0.1, 0.12)
+        look.SetLineWidth(1.2)
+    return actor
+
+
+def locks_of(part, size):
+    import vtk
+    from vtk.util.numpy_support import numpy_to_vtk
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(part.points[part.locked]), deep=True))
+    cloud = vtk.vtkPolyData()
+    cloud.SetPoints(points)
+    ball = vtk.vtkSphereSource()
+    ball.SetRadius(size * 0.004)
+    balls = vtk.vtkGlyph3D()
+    balls.SetInputData(cloud)
+    balls.SetSourceConnection(ball.GetOutputPort())
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(balls.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.85, 0.1, 0.1)
+    return actor
+
+
+def scene(args):
+    import vtk
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(0.93, 0.94, 0.96)
+    renderer.SetBackground2(0.74, 0.78, 0.84)
+    renderer.GradientBackgroundOn()
+    low, high = numpy.full(3, numpy.inf), numpy.full(3, -numpy.inf)
+    for path in args.files:
+        stem = os.path.splitext(os.path.basename(path))[0]
+        for part in mesh_files.read(path):
+            low, high = numpy.minimum(low, part.points.min(axis=0)), numpy.maximum(high, part.points.max(axis=0))
+            if part.name in args.hide or stem in args.hide:
+                continue
+            renderer.AddActor(actor_of(part, args, part.name in args.ghost or stem in args.ghost))
+            if args.locks and part.locked.any():
+                renderer.AddActor(locks_of(part, numpy.linalg.norm(high - low)))
+    aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), args)
+    return renderer
+
+
+def aim(renderer, centre, size, args):
+    import vtk
+    direction = numpy.array(VIEWS[args.view], float)
+    eye = centre + direction / numpy.linalg.norm(direction) * size * 2
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(centre)
+    camera.SetPosition(eye)
+    camera.SetViewUp(0, 1, 0)
+    camera.SetViewAngle(30 / args.zoom)
+    renderer.ResetCameraClippingRange()
+    for place, strength in [((-1, 2, 1.5), 0.8), ((2, 1, 0.5), 0.3), ((0, 0.5, -2), 0.25)]:
+        light = vtk.vtkLight()
+        light.SetPosition(centre + numpy.array(place) * size)
+        light.SetFocalPoint(centre)
+        light.SetIntensity(strength)
+        renderer.AddLight(light)
+
+
+def draw(args):
+    import vtk
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(*[int(n) for n in args.size.split("x")])
+    window.AddRenderer(scene(args))
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(args.out)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+def main():
+    args = options()
+    if "DISPLAY" not in os.environ:
+        if not shutil.which("xvfb-run"):
+            sys.exit("no display and no xvfb-run: install the packages xvfb and xauth")
+        os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", sys.executable] + sys.argv)
+    draw(args)
+
+
+main()
