@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strict JSON into a described struct. An unknown or repeated key, a wrong type, a number out of range or a name that
+// is none of the choices stops with the path of the key and the nearest valid name. Keys that are absent keep what the
+// struct holds.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "report/described.h"
+
+namespace crumple::report {
+
+struct ReadRules {
+    ErrorKind kind = ErrorKind::usage;  // of the Error thrown
+    bool allows_null = false;           // reports: null is none for an index and not-a-number for a number
+    std::size_t max_bytes = 1u << 26;
+    int max_depth = 64;
+};
+
+// `source` names the text in messages. The text may come from anywhere: size and nesting are limited before anything
+// is built. A string "$schema" at the top is allowed and ignored.
+void read_json(std::string_view text, std::string_view source, Described value, const ReadRules& rules = {});
+
+// One assignment "relax.sweeps=5", as given to --set: the path of a field, then its value: text and choices as they
+// are, everything else as JSON. In a map of single values the rest of the path is the key, dots and all.
+void apply_setting(std::string_view setting, Described root);
+
+}
