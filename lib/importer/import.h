@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the artist's files with assimp in a limited child process, welds, cleans and judges them. The only place with
-// assimp. Locks: red < 0.5 / 255 of a finite value; keyed by position, so they survive every way a format splits vertices.
+// assimp. Locks: red < 0.5 / 255 of a finite value; keyed by position, so they survive every way a format splits
+// vertices.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -22,12 +23,13 @@ inline constexpr EnumName<Up> up_names[] = {{Up::automatic, "auto"}, {Up::x, "x"
 constexpr std::span<const EnumName<Up>> enum_names(Up) { return up_names; }
 
 enum class ColorSpace { linear, srgb };
-inline constexpr EnumName<ColorSpace> color_space_names[] = {{ColorSpace::linear, "linear"}, {ColorSpace::srgb, "srgb"}};
+inline constexpr EnumName<ColorSpace> color_space_names[] = {{ColorSpace::linear, "linear"},
+                                                             {ColorSpace::srgb, "srgb"}};
 constexpr std::span<const EnumName<ColorSpace>> enum_names(ColorSpace) { return color_space_names; }
 
 struct Params {
-    double unit = 0;         // metres per unit of the files; 0: what the file says, else 1
-    Up up = Up::automatic;   // automatic: what the file says, else Y
+    double unit = 0;        // metres per unit of the files; 0: what the file says, else 1
+    Up up = Up::automatic;  // automatic: what the file says, else Y
     std::uint32_t color_set = 0;
     ColorSpace color_space = ColorSpace::linear;  // of the stored colours; locks are judged on the stored values
     std::map<std::string, Role> roles;            // by component, mesh or material name
@@ -43,7 +45,8 @@ void describe(Visitor& visit, P& p) {
     visit.field("up", p.up, "axis of the files that points up; auto: what the file says, else y");
     visit.field("color_set", p.color_set, Range{0, 7}, "which vertex colour set holds the paint");
     visit.field("color_space", p.color_space, "of the stored colours; locks are judged on the stored red either way");
-    visit.field("roles", p.roles, "solid, cavity or rigid by component, mesh or material name; else from winding and nesting");
+    visit.field("roles", p.roles,
+                "solid, cavity or rigid by component, mesh or material name; else from winding and nesting");
     visit.field("strict", p.strict, "copies of a vertex that disagree about its lock are an error");
     visit.field("weld_tolerance", p.weld_tolerance, Range{0, 0.01},
                 "where exact welding leaves edges open, vertices this near merge; times the box diagonal");
@@ -58,9 +61,9 @@ struct FileReport {
     double unit = 1;     // metres per unit of the file, as applied
     std::string up;      // axis that points up, as applied
     std::uint64_t meshes = 0;
-    std::uint64_t vertices = 0;   // as the file counts them, where the format tells, else one a face corner
-    std::uint64_t triangles = 0;  // after splitting polygons
-    std::uint64_t points_and_lines = 0;   // dropped
+    std::uint64_t vertices = 0;             // as the file counts them, where the format tells, else one a face corner
+    std::uint64_t triangles = 0;            // after splitting polygons
+    std::uint64_t points_and_lines = 0;     // dropped
     std::uint64_t unreadable_polygons = 0;  // dropped: no triangles came out of them
 };
 
@@ -107,7 +110,7 @@ struct Report {
     std::vector<FileReport> visuals;
     std::uint64_t vertices = 0;  // of the shell, welded
     std::uint64_t triangles = 0;
-    double diagonal = 0;  // of the shell's box, metres
+    double diagonal = 0;                    // of the shell's box, metres
     std::uint64_t welded = 0;               // copies merged for having the same position
     std::uint64_t welded_by_tolerance = 0;  // merged because edges stayed open
     double weld_distance = 0;               // the largest distance a vertex moved by that, metres
@@ -167,11 +170,11 @@ struct Result {
     Report report;
 };
 
-// Vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own vertices
-// in the file's order, where the format has an order (OBJ, PLY, OFF, glTF), else one a face corner.
-// Throws Error(file) for a path that cannot be opened, Error(usage) for visual names that are not unique,
-// Error(bad_input) for content that is refused, its message beginning with the file's name.
-// REQUIRES: no other thread of this process is running (see sandbox.h).
+// Vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own
+// vertices in the file's order, where the format has an order (OBJ, PLY, OFF, glTF), else one a face corner. Throws
+// Error(file) for a path that cannot be opened, Error(usage) for visual names that are not unique, Error(bad_input) for
+// content that is refused, its message beginning with the file's name. REQUIRES: no other thread of this process is
+// running (see sandbox.h).
 [[nodiscard]] Result import_asset(const Sources& sources, const Params& params = {}, const Context& context = {});
 
 }
