@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/json_reader.h"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "report/json_parse.h"
 #include "report/names.h"
 #include "report/number_text.h"
 
@@ -34,12 +33,12 @@ private:
     void read_choice(const Json& json, Described value, const std::string& path) const;
     double checked_number(const Json& json, bool is_single, Range range, const std::string& path) const;
     [[noreturn]] void fail_type(const Json& json, const std::string& path, const char* expected) const {
-        fail(path, std::string("expected ") + expected + ", found " + json.type_name() + " " + excerpt(json));
+        fail(path, std::string("expected ") + expected + ", found " + json.type_name() + excerpt(json));
     }
     static std::string excerpt(const Json& json) {
-        if (json.is_structured()) return {};
-        std::string text = json.dump(-1, ' ', true);
-        return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+        if (json.is_null() || json.get_if<Json::List>() || json.get_if<Json::Object>()) return {};
+        const std::string text = dump_json(json, JsonStyle::compact);
+        return " " + (text.size() > 40 ? text.substr(0, 37) + "..." : text);
     }
 
     std::string source_;
@@ -68,16 +67,16 @@ void Reader::fail_name(const std::string& parent, const std::string& name, const
 void Reader::read(const Json& json, Described value, Range range, const std::string& path) const {
     switch (value.kind()) {
         case Kind::boolean:
-            if (!json.is_boolean()) fail_type(json, path, "true or false");
-            (void)value.set(json.get<bool>());
+            if (!json.get_if<bool>()) fail_type(json, path, "true or false");
+            (void)value.set(*json.get_if<bool>());
             return;
         case Kind::integer:
             return read_integer(json, value, range, path);
         case Kind::number:
             return read_number(json, value, range, path);
         case Kind::text:
-            if (!json.is_string()) fail_type(json, path, "text");
-            (void)value.set(json.get<std::string>());
+            if (!json.get_if<std::string>()) fail_type(json, path, "text");
+            (void)value.set(*json.get_if<std::string>());
             return;
         case Kind::vector3:
             return read_vector(json, value, range, path);
@@ -90,16 +89,17 @@ void Reader::read(const Json& json, Described value, Range range, const std::str
         case Kind::map:
             return read_map(json, value, range, path);
         case Kind::raw:
-            (void)value.set(json.dump());
+            (void)value.set(dump_json(json, JsonStyle::compact));
             return;
     }
 }
 
 void Reader::read_object(const Json& json, Described value, const std::string& path) const {
-    if (!json.is_object()) fail_type(json, path, "an object");
+    const auto* object = json.get_if<Json::Object>();
+    if (!object) fail_type(json, path, "an object");
     const std::vector<Field> fields = value.fields();
-    for (const auto& [key, child] : json.items()) {
-        if (path.empty() && key == "$schema" && child.is_string()) continue;
+    for (const auto& [key, child] : *object) {
+        if (path.empty() && key == "$schema" && child.get_if<std::string>()) continue;
         const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
         if (field == fields.end()) fail_name(path, key, names_of(fields), true);
         read(child, field->value, field->range, joined(path, key));
@@ -107,22 +107,24 @@ void Reader::read_object(const Json& json, Described value, const std::string& p
 }
 
 void Reader::read_list(const Json& json, Described value, Range range, const std::string& path) const {
-    if (!json.is_array()) fail_type(json, path, "a list");
+    const auto* list = json.get_if<Json::List>();
+    if (!list) fail_type(json, path, "a list");
     const std::size_t fixed = value.type().fixed_size;
-    if (fixed != 0 && json.size() != fixed) {
-        fail(path, "expected " + std::to_string(fixed) + " values, found " + std::to_string(json.size()));
+    if (fixed != 0 && list->size() != fixed) {
+        fail(path, "expected " + std::to_string(fixed) + " values, found " + std::to_string(list->size()));
     }
     value.resize(0);  // so that elements start from their defaults
-    value.resize(json.size());
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        read(json[i], value.item(i), range, path + "[" + std::to_string(i) + "]");
+    value.resize(list->size());
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        read((*list)[i], value.item(i), range, path + "[" + std::to_string(i) + "]");
     }
 }
 
 void Reader::read_map(const Json& json, Described value, Range range, const std::string& path) const {
-    if (!json.is_object()) fail_type(json, path, "an object");
+    const auto* object = json.get_if<Json::Object>();
+    if (!object) fail_type(json, path, "an object");
     value.clear();
-    for (const auto& [key, child] : json.items()) read(child, value.entry(key), range, joined(path, key));
+    for (const auto& [key, child] : *object) read(child, value.entry(key), range, joined(path, key));
 }
 
 void Reader::read_integer(const Json& json, Described value, Range range, const std::string& path) const {
@@ -130,23 +132,23 @@ void Reader::read_integer(const Json& json, Described value, Range range, const 
         (void)value.set(std::uint64_t{none});
         return;
     }
-    if (!json.is_number_integer()) fail_type(json, path, "a whole number");
-    const bool fits =
-        json.is_number_unsigned() ? value.set(json.get<std::uint64_t>()) : value.set(json.get<std::int64_t>());
-    const auto number = json.get<double>();
+    if (!json.is_integer()) fail_type(json, path, "a whole number");
+    const auto* i = json.get_if<std::int64_t>();
+    const bool fits = value.set(i ? Scalar(*i) : Scalar(*json.get_if<std::uint64_t>()));
+    const double number = json.number();
     if (!fits || number < range.min || number > range.max) {
         const Range limits{std::max(range.min, value.type().lowest), std::min(range.max, value.type().highest)};
-        fail(path, json.dump() + " is out of range; allowed: " + range_text(limits));
+        fail(path, dump_json(json, JsonStyle::compact) + " is out of range; allowed: " + range_text(limits));
     }
 }
 
 double Reader::checked_number(const Json& json, bool is_single, Range range, const std::string& path) const {
     if (json.is_null() && rules_.allows_null) return std::numeric_limits<double>::quiet_NaN();
     if (!json.is_number()) fail_type(json, path, "a number");
-    const auto number = json.get<double>();
+    const double number = json.number();
     const bool is_finite = std::isfinite(is_single ? static_cast<double>(static_cast<float>(number)) : number);
     if (!is_finite || number < range.min || number > range.max) {
-        fail(path, json.dump() + " is out of range; allowed: " + range_text(range));
+        fail(path, dump_json(json, JsonStyle::compact) + " is out of range; allowed: " + range_text(range));
     }
     return number;
 }
@@ -156,21 +158,22 @@ void Reader::read_number(const Json& json, Described value, Range range, const s
 }
 
 void Reader::read_vector(const Json& json, Described value, Range range, const std::string& path) const {
-    if (!json.is_array() || json.size() != 3) fail_type(json, path, "a list of three numbers");
+    const auto* list = json.get_if<Json::List>();
+    if (!list || list->size() != 3) fail_type(json, path, "a list of three numbers");
     Vec3 vector;
     for (int axis = 0; axis < 3; ++axis) {
-        vector[axis] =
-            checked_number(json[axis], value.type().is_single, range, path + "[" + std::to_string(axis) + "]");
+        vector[axis] = checked_number((*list)[static_cast<std::size_t>(axis)], value.type().is_single, range,
+                                      path + "[" + std::to_string(axis) + "]");
     }
     (void)value.set(vector);
 }
 
 void Reader::read_choice(const Json& json, Described value, const std::string& path) const {
-    if (!json.is_string()) fail_type(json, path, "text");
-    const auto name = json.get<std::string>();
-    if (value.set(name)) return;
+    const auto* name = json.get_if<std::string>();
+    if (!name) fail_type(json, path, "text");
+    if (value.set(*name)) return;
     const auto choices = value.type().choices();
-    fail_name(path, name, std::vector<std::string>(choices.begin(), choices.end()), false);
+    fail_name(path, *name, std::vector<std::string>(choices.begin(), choices.end()), false);
 }
 
 bool is_leaf(Kind kind) { return kind != Kind::object && kind != Kind::list && kind != Kind::map; }

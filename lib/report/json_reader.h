@@ -6,17 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
 #include "report/described.h"
+#include "report/json.h"
 
 namespace crumple::report {
-
-struct ReadRules {
-    ErrorKind kind = ErrorKind::usage;  // of the Error thrown
-    bool allows_null = false;           // reports: null is none for an index and not-a-number for a number
-    std::size_t max_bytes = 1u << 26;
-    int max_depth = 64;
-};
 
 // `source` names the text in messages. The text may come from anywhere: size and nesting are limited before anything
 // is built. A string "$schema" at the top is allowed and ignored.

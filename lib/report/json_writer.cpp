@@ -4,8 +4,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "report/json_build.h"
-#include "report/json_parse.h"
 #include "report/number_text.h"
 
 namespace crumple::report {
@@ -28,15 +26,31 @@ Json integer_json(const Scalar& scalar, bool is_index) {
     return is_index && u == none ? Json(nullptr) : Json(u);
 }
 
-Json raw_json(const std::string& text) {
-    const ReadRules rules{.kind = ErrorKind::bad_input};
-    return parse_json(text, "stored JSON", rules);
+Json build_list(Described value) {
+    Json::List list;
+    for (std::size_t i = 0; i < value.size(); ++i) list.push_back(build_json(value.item(i)));
+    return list;
+}
+
+Json build_vector(Vec3 v, bool is_single) {
+    return Json::List{number_json(v.x, is_single), number_json(v.y, is_single), number_json(v.z, is_single)};
+}
+
+Json build_object(Described value) {
+    Json::Object object;
+    for (const Field& field : value.fields()) object.emplace_back(field.name, build_json(field.value));
+    return object;
+}
+
+Json build_map(Described value) {
+    Json::Object object;
+    for (const std::string& key : value.keys()) object.emplace_back(key, build_json(value.entry(key)));
+    return object;
 }
 
 }
 
 Json build_json(Described value) {
-    Json json;
     switch (value.kind()) {
         case Kind::boolean:
             return std::get<bool>(value.get());
@@ -48,32 +62,17 @@ Json build_json(Described value) {
         case Kind::choice:
             return std::get<std::string>(value.get());
         case Kind::raw:
-            return raw_json(std::get<std::string>(value.get()));
-        case Kind::vector3: {
-            const Vec3 v = std::get<Vec3>(value.get());
-            for (int axis = 0; axis < 3; ++axis) json.push_back(number_json(v[axis], value.type().is_single));
-            return json;
-        }
+            return parse_json(std::get<std::string>(value.get()), "stored JSON", {.kind = ErrorKind::bad_input});
+        case Kind::vector3:
+            return build_vector(std::get<Vec3>(value.get()), value.type().is_single);
         case Kind::list:
-            json = Json::array();
-            for (std::size_t i = 0; i < value.size(); ++i) json.push_back(build_json(value.item(i)));
-            return json;
+            return build_list(value);
         case Kind::map:
-            json = Json::object();
-            for (const std::string& key : value.keys()) json[key] = build_json(value.entry(key));
-            return json;
+            return build_map(value);
         case Kind::object:
-            json = Json::object();
-            for (const Field& field : value.fields()) json[field.name] = build_json(field.value);
-            return json;
+            return build_object(value);
     }
-    return json;
-}
-
-// Names come from artists' files, in any encoding: what is not UTF-8 is replaced, never thrown at.
-std::string dump_json(const Json& json, JsonStyle style) {
-    constexpr auto replace = Json::error_handler_t::replace;
-    return style == JsonStyle::compact ? json.dump(-1, ' ', false, replace) : json.dump(2, ' ', false, replace) + "\n";
+    return {};
 }
 
 std::string write_json(Described value, JsonStyle style) { return dump_json(build_json(value), style); }

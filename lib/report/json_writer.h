@@ -5,14 +5,11 @@
 #include <string>
 
 #include "report/described.h"
+#include "report/json.h"
 
 namespace crumple::report {
 
-enum class JsonStyle {
-    indented,  // for files and people, ends in a newline
-    compact,   // one line without spaces: canonical text, lines of progress
-};
-
+[[nodiscard]] Json build_json(Described value);
 [[nodiscard]] std::string write_json(Described value, JsonStyle style = JsonStyle::indented);
 
 }

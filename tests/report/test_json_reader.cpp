@@ -104,7 +104,7 @@ TEST(JsonReader, AnUnknownKeyNamesItsPathAndTheNearestValidName) {
 }
 
 TEST(JsonReader, AWrongTypeNamesItsPath) {
-    expect_contains(refusal(R"({"sweeps": "5"})"), "sweeps: expected a whole number, found string");
+    expect_contains(refusal(R"({"sweeps": "5"})"), "sweeps: expected a whole number, found text");
     expect_contains(refusal(R"({"sweeps": 5.5})"), "sweeps: expected a whole number");
     expect_contains(refusal(R"({"sweeps": null})"), "sweeps: expected a whole number");
     expect_contains(refusal(R"({"element": null})"), "element: expected a whole number");

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/json_parse.h"
+#include "report/json.h"
 
+#include <array>
+#include <nlohmann/json.hpp>
 #include <set>
-#include <vector>
 
 namespace crumple::report {
 
 namespace {
 
-// Receives the parser's events and builds the tree, so that limits hold before memory is taken and a repeated key is
+using Package = nlohmann::ordered_json;
+
+// Receives the parser's events and builds our tree, so that limits hold before memory is taken and a repeated key is
 // seen (the package's own tree would keep the last one without a word).
-class Builder : public nlohmann::json_sax<Json> {
+class Builder : public nlohmann::json_sax<Package> {
 public:
     Builder(std::string_view source, const ReadRules& rules) : source_(source), rules_(rules) {}
 
@@ -21,8 +24,8 @@ public:
     bool number_float(double d, const std::string&) override { return add(d); }
     bool string(std::string& s) override { return add(std::move(s)); }
     bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(Json::object()); }
-    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool start_object(std::size_t) override { return open(Json::Object{}); }
+    bool start_array(std::size_t) override { return open(Json::List{}); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
@@ -46,21 +49,15 @@ private:
         std::set<std::string> keys;
     };
 
-    template <class T>
-    bool add(T&& value) {
-        attach(Json(std::forward<T>(value)));
-        return true;
-    }
-    void attach(Json value) {
+    bool add(Json value) {
         if (open_.empty()) {
             root_ = std::move(value);
-        } else if (open_.back().value.is_array()) {
-            open_.back().value.push_back(std::move(value));
+        } else if (auto* list = std::get_if<Json::List>(&open_.back().value.value)) {
+            list->push_back(std::move(value));
         } else {
-            // Keys are known to differ, and ordered_json's own insertion searches all earlier keys.
-            auto& object = open_.back().value.get_ref<Json::object_t&>();
-            object.Container::emplace_back(open_.back().key, std::move(value));
+            open_.back().value.add(open_.back().key, std::move(value));
         }
+        return true;
     }
     bool open(Json value) {
         if (open_.size() >= static_cast<std::size_t>(rules_.max_depth)) {
@@ -72,8 +69,7 @@ private:
     bool close() {
         Json value = std::move(open_.back().value);
         open_.pop_back();
-        attach(std::move(value));
-        return true;
+        return add(std::move(value));
     }
     [[nodiscard]] std::string path_with(const std::string& name) const {
         std::string path;
@@ -92,6 +88,55 @@ private:
     Json root_;
 };
 
+Package package_json(const Json& json);
+
+struct ToPackage {
+    template <class T>
+    Package operator()(const T& value) const {
+        return value;
+    }
+    Package operator()(const Json::List& list) const {
+        Package json = Package::array();
+        for (const Json& item : list) json.push_back(package_json(item));
+        return json;
+    }
+    Package operator()(const Json::Object& object) const {
+        Package json = Package::object();
+        for (const auto& [key, child] : object) json[key] = package_json(child);
+        return json;
+    }
+};
+
+Package package_json(const Json& json) { return std::visit(ToPackage{}, json.value); }
+
+}
+
+double Json::number() const {
+    if (const auto* i = get_if<std::int64_t>()) return static_cast<double>(*i);
+    if (const auto* u = get_if<std::uint64_t>()) return static_cast<double>(*u);
+    const auto* d = get_if<double>();
+    return d ? *d : 0;
+}
+
+const char* Json::type_name() const {
+    static constexpr std::array<const char*, 8> names{"null",   "boolean", "number", "number",
+                                                      "number", "text",    "a list", "an object"};
+    return names[value.index()];
+}
+
+const Json* Json::find(std::string_view key) const {
+    const auto* object = get_if<Object>();
+    if (!object) return nullptr;
+    for (const auto& [name, child] : *object) {
+        if (name == key) return &child;
+    }
+    return nullptr;
+}
+
+Json& Json::add(std::string key, Json child) {
+    if (is_null()) value = Object{};
+    std::get<Object>(value).emplace_back(std::move(key), std::move(child));
+    return *this;
 }
 
 Json parse_json(std::string_view text, std::string_view source, const ReadRules& rules) {
@@ -100,8 +145,15 @@ Json parse_json(std::string_view text, std::string_view source, const ReadRules&
                     std::string(source) + ": larger than " + std::to_string(rules.max_bytes) + " bytes of JSON");
     }
     Builder builder(source, rules);
-    (void)Json::sax_parse(text.begin(), text.end(), &builder);
+    (void)Package::sax_parse(text.begin(), text.end(), &builder);
     return builder.take();
+}
+
+std::string dump_json(const Json& json, JsonStyle style) {
+    constexpr auto replace = Package::error_handler_t::replace;
+    const Package package = package_json(json);
+    return style == JsonStyle::compact ? package.dump(-1, ' ', false, replace)
+                                       : package.dump(2, ' ', false, replace) + "\n";
 }
 
 }
