@@ -6,16 +6,24 @@
 
 #include "core/error.h"
 #include "samples/blob.h"
+#include "samples/car.h"
 #include "samples/write.h"
 
 namespace crumple::samples {
 namespace {
+
+std::vector<File> car_files() {
+    const Model shell = car_shell();
+    return {
+        {"car_shell.glb", glb_bytes(shell)}, {"car_shell.obj", obj_bytes(shell)}, {"car_shell.ply", ply_bytes(shell)}};
+}
 
 std::vector<File> blob_files() {
     return {{"blob_shell.ply", ply_bytes(blob_shell())}, {"blob_visual.ply", ply_bytes(blob_visual())}};
 }
 
 constexpr Sample table[] = {
+    {"car", "a car: body, locked engine block, roll cage, wheel houses; a detailed visual mesh", car_files},
     {"blob", "a four-legged blob with locked feet and a finer visual mesh", blob_files},
 };
 

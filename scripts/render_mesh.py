@@ -9,6 +9,7 @@
 Needs python3-vtk9, python3-numpy, and xvfb where no display is set.
 """
 import argparse
+import math
 import os
 import shutil
 import sys
@@ -25,15 +26,19 @@ def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+")
     parser.add_argument("-o", "--out", required=True, help="the PNG to write")
-    parser.add_argument("--view", choices=VIEWS, default="quarter")
+    parser.add_argument("--view", default="quarter", help="one or more, side by side: " + ",".join(VIEWS))
     parser.add_argument("--size", default="1280x720")
-    parser.add_argument("--zoom", type=float, default=1.25)
+    parser.add_argument("--zoom", type=float, default=1.0)
     parser.add_argument("--wire", action="store_true", help="draw triangle edges")
     parser.add_argument("--locks", action="store_true", help="mark locked vertices with red balls")
     parser.add_argument("--ghost", action="append", default=[], metavar="NAME", help="see-through part (or file stem); repeatable")
     parser.add_argument("--hide", action="append", default=[], metavar="NAME", help="leave a part out; repeatable")
     parser.add_argument("--cut", metavar="x=0.2", help="keep only elements whose middle lies below this coordinate")
-    return parser.parse_args()
+    args = parser.parse_args()
+    unknown = [view for view in args.view.split(",") if view not in VIEWS]
+    if unknown:
+        parser.error(f"no view is called {unknown[0]}; there are: {', '.join(VIEWS)}")
+    return args
 
 
 def middles_kept(part, cut):
@@ -92,8 +97,8 @@ def actor_of(part, args, ghost):
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetInterpolationToFlat()
-    look.SetAmbient(0.15)
-    look.SetDiffuse(0.85)
+    look.SetAmbient(0.25)
+    look.SetDiffuse(0.8)
     look.SetSpecular(0.15)
     look.SetSpecularPower(30)
     if ghost:
@@ -127,7 +132,7 @@ def locks_of(part, size):
     return actor
 
 
-def scene(args):
+def scene(args, view):
     import vtk
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(0.93, 0.94, 0.96)
@@ -143,21 +148,21 @@ def scene(args):
             renderer.AddActor(actor_of(part, args, part.name in args.ghost or stem in args.ghost))
             if args.locks and part.locked.any():
                 renderer.AddActor(locks_of(part, numpy.linalg.norm(high - low)))
-    aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), args)
+    aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), view, args.zoom)
     return renderer
 
 
-def aim(renderer, centre, size, args):
+def aim(renderer, centre, size, view, zoom):
     import vtk
-    direction = numpy.array(VIEWS[args.view], float)
+    direction = numpy.array(VIEWS[view], float)
     eye = centre + direction / numpy.linalg.norm(direction) * size * 2
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(centre)
     camera.SetPosition(eye)
     camera.SetViewUp(0, 1, 0)
-    camera.SetViewAngle(30 / args.zoom)
+    camera.SetViewAngle(20 / zoom)
     renderer.ResetCameraClippingRange()
-    for place, strength in [((-1, 2, 1.5), 0.8), ((2, 1, 0.5), 0.3), ((0, 0.5, -2), 0.25)]:
+    for place, strength in [((-1, 2, 1.5), 0.75), ((2, 1, 0.5), 0.4), ((-2, 0.5, -1), 0.35)]:
         light = vtk.vtkLight()
         light.SetPosition(centre + numpy.array(place) * size)
         light.SetFocalPoint(centre)
@@ -171,7 +176,14 @@ def draw(args):
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(*[int(n) for n in args.size.split("x")])
-    window.AddRenderer(scene(args))
+    views = args.view.split(",")
+    columns = math.ceil(math.sqrt(len(views)))
+    rows = math.ceil(len(views) / columns)
+    for number, view in enumerate(views):
+        renderer = scene(args, view)
+        column, row = number % columns, rows - 1 - number // columns
+        renderer.SetViewport(column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
+        window.AddRenderer(renderer)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)

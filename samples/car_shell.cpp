@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "samples/car.h"
+#include "samples/car_cage.h"
+#include "samples/car_profile.h"
+#include "samples/curve.h"
+#include "samples/loft.h"
+#include "samples/solids.h"
+
+namespace crumple::samples {
+namespace {
+
+constexpr Color paint_grey = {190, 200, 215, 255};
+constexpr double edge = 0.19;  // metres between vertices of a cross-section
+constexpr int station_count = 26;
+
+// A whole cross-section as a dense closed polyline, counter-clockwise seen from the front, from the middle of the
+// floor. Pulled in towards its own middle line by `inset` metres.
+std::vector<Vec3> outline(double z, double inset) {
+    const auto controls = car::shell_section(z);
+    constexpr int steps = 64;
+    std::vector<Vec3> half;
+    for (int i = 0; i <= steps; ++i) {
+        half.push_back(spline(controls, (car::section_points - 1.0) * i / steps));
+    }
+    const double low = half.front().y + inset;
+    const double high = half.back().y - inset;
+    const double scale = (high - low) / (half.back().y - half.front().y);
+    for (auto& p : half) {
+        p.y = low + (p.y - half.front().y) * scale;
+        p.x = std::max(0.0, p.x - inset * std::min(1.0, p.x / 0.3));
+    }
+    std::vector<Vec3> whole = half;
+    for (std::size_t i = half.size() - 2; i > 0; --i) whole.push_back({-half[i].x, half[i].y, half[i].z});
+    return whole;
+}
+
+// How many edges go around; even, so that left and right are alike.
+int even_count(const std::vector<Vec3>& outline) {
+    double perimeter = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        perimeter += length(outline[(i + 1) % outline.size()] - outline[i]);
+    return 2 * static_cast<int>(perimeter / (2 * edge) + 0.5);
+}
+
+void close_end(Part& part, const Ring& ring, double z, double bulge, bool is_front) {
+    auto inner_outline = outline(z, 0.16);
+    for (auto& p : inner_outline) p.z += bulge;
+    Ring inner = add_ring(part, inner_outline, even_count(inner_outline), 0, paint_grey);
+    if (is_front) {
+        stitch(part, ring, inner);
+        close_by_zipping(part, inner);
+    } else {
+        stitch(part, reversed(ring), reversed(inner));
+        close_by_zipping(part, reversed(inner));
+    }
+}
+
+Part body() {
+    Part part{"body", {}, {}, {}};
+    const double begin = car::tail_z - car::shell_margin;
+    const double end = car::nose_z + car::shell_margin;
+    std::vector<Ring> rings;
+    for (int i = 0; i < station_count; ++i) {
+        const double z = begin + (end - begin) * i / (station_count - 1);
+        const auto section = outline(z, 0);
+        rings.push_back(add_ring(part, section, even_count(section), i % 2 ? 0.5 : 0, paint_grey));
+        if (i > 0) stitch(part, rings[rings.size() - 2], rings.back());
+    }
+    close_end(part, rings.front(), begin, -0.03, false);
+    close_end(part, rings.back(), end, 0.03, true);
+    return part;
+}
+
+Part engine_block() {
+    Part part{"engine_block", {}, {}, {}};
+    add_box(part, {{0, 0.47, 1.36}, {0.33, 0.24, 0.36}, {4, 3, 4}, 0.25}, locked);
+    return part;
+}
+
+// A drum around a wheel: the wheel keeps its shape whatever happens to the body.
+Part wheel_house(const char* name, double side, double z) {
+    constexpr int segments = 10;
+    constexpr double half_width = 0.15;
+    const double rim = (car::wheel_radius + 0.02) / turn(0.5 / segments).cosine;  // the drum's flats clear the tyre
+    Part part{name, {}, {}, {}};
+    const Vec3 profile[] = {{-half_width, 0, 0},  {-half_width, 0.5 * rim, 0}, {-half_width, rim, 0}, {0, rim, 0},
+                            {half_width, rim, 0}, {half_width, 0.5 * rim, 0},  {half_width, 0, 0}};
+    add_revolved(part, {side * car::wheel_middle_x, car::wheel_radius, z}, profile, segments, locked);
+    return part;
+}
+
+}
+
+Model car_shell() {
+    return {body(),
+            engine_block(),
+            car::cage_shell(),
+            wheel_house("wheel_house_front_left", 1, car::axle_z[0]),
+            wheel_house("wheel_house_front_right", -1, car::axle_z[0]),
+            wheel_house("wheel_house_rear_left", 1, car::axle_z[1]),
+            wheel_house("wheel_house_rear_right", -1, car::axle_z[1])};
+}
+
+}
