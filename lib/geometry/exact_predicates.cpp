@@ -162,4 +162,13 @@ int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
         .sign();
 }
 
+bool are_collinear(Vec3 a, Vec3 b, Vec3 c) {
+    const auto p = wide_integers<2>({b, c}, a);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3;
+        if ((p[0][axis] * p[1][next] - p[0][next] * p[1][axis]).sign() != 0) return false;
+    }
+    return true;
+}
+
 }

@@ -6,8 +6,9 @@
 
 namespace crumple::exact {
 
-// Same signs as crumple::orient3d and crumple::in_sphere, without a filter in front.
+// Same answers as the functions of predicates.h, without a filter in front.
 [[nodiscard]] int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 [[nodiscard]] int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e);
+[[nodiscard]] bool are_collinear(Vec3 a, Vec3 b, Vec3 c);
 
 }

@@ -23,6 +23,13 @@ constexpr double in_sphere_bound = 20 * unit_roundoff;
 constexpr double largest_difference = 0x1p150;
 constexpr double underflow_bound = 0x1p-600;
 
+// Differences of at most this many grains are integers whose determinant, partial sums included, stays below 2^53:
+// 6 x 2^48 and 72 x 2^45. The plain evaluation is then exact.
+constexpr double exact_orient3d_grains = 0x1p16;
+constexpr double exact_in_sphere_grains = 0x1p9;
+
+int sign_of(double value) { return (value > 0) - (value < 0); }
+
 double largest_component(Vec3 a) { return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z)); }
 
 // The plain sum of products and the sum of their magnitudes.
@@ -47,7 +54,7 @@ Sum negated(Sum a) { return {-a.value, a.magnitude}; }
 
 }
 
-int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double grain) {
     const Vec3 p = b - a;
     const Vec3 q = c - a;
     const Vec3 r = d - a;
@@ -57,11 +64,12 @@ int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     if (largest <= largest_difference) {
         if (det.value > bound) return 1;
         if (det.value < -bound) return -1;
+        if (largest <= exact_orient3d_grains * grain) return sign_of(det.value);
     }
     return exact::orient3d(a, b, c, d);
 }
 
-int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
+int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e, double grain) {
     const Vec3 p = a - e;
     const Vec3 q = b - e;
     const Vec3 r = c - e;
@@ -81,8 +89,11 @@ int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
     if (largest <= largest_difference) {
         if (det > bound) return 1;
         if (det < -bound) return -1;
+        if (largest <= exact_in_sphere_grains * grain) return sign_of(det);
     }
     return exact::in_sphere(a, b, c, d, e);
 }
+
+bool are_collinear(Vec3 a, Vec3 b, Vec3 c) { return exact::are_collinear(a, b, c); }
 
 }

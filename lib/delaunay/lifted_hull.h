@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lower hull of the lifted sites, closed by a vertex at infinity: its finite facets are the Delaunay tets, its
+// infinite ones the faces of the convex hull. A site sees a facet when it lies inside the tet's circumsphere, or beyond
+// the hull face. Inserting a site replaces the facets it sees by the star of the site.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/index.h"
+#include "delaunay/facet_plane.h"
+#include "delaunay/sites.h"
+#include "delaunay/star.h"
+
+namespace crumple::delaunay {
+
+// One cache line. vertex[0] is the newest, the plane's origin, never the one at infinity.
+struct alignas(64) Facet {
+    std::array<Index, 4> vertex;     // positive; the one at infinity counts as a point beyond the hull
+    std::array<Index, 4> neighbour;  // across the ridge opposite corner i: 4 * facet + the corner opposite there
+    FacetPlane plane;
+    std::uint32_t mark;  // of the last insertion that looked at it
+    Index outside;       // first site of its outside set, for orders that keep one
+};
+static_assert(sizeof(Facet) == 64);
+
+class LiftedHull {
+public:
+    // Facets are expected at 6.8 a site, as random points have; more are fine.
+    explicit LiftedHull(Sites& sites);
+
+    // REQUIRES: the tet of these four sites is positive.
+    void start(const std::array<Index, 4>& simplex);
+
+    // REQUIRES: sees(site, facet), site not yet inserted.
+    void insert(Index site, Index facet);
+
+    [[nodiscard]] bool sees(Index site, Index facet);
+    [[nodiscard]] bool sees_certainly(Index site, Index facet) const { return plane_side(site, facet) > 0; }
+
+    [[nodiscard]] std::span<const Facet> facets() const { return facets_; }
+    [[nodiscard]] std::span<Facet> facets() { return facets_; }
+    [[nodiscard]] const Sites& sites() const { return sites_; }
+    [[nodiscard]] bool is_alive(Index facet) const { return facets_[facet].vertex[0] != none; }
+    [[nodiscard]] bool is_infinite(Index facet) const { return infinite_corner(facets_[facet]) != 0; }
+
+    // Of the last insertion (or start): the new facets, their planes, and the outside sets of those that went.
+    [[nodiscard]] std::span<const Index> star() const { return {star_.data(), star_size_}; }
+    [[nodiscard]] const StarPlanes& star_planes() const { return planes_; }
+    [[nodiscard]] std::span<const Index> orphans() const { return orphans_; }
+
+    [[nodiscard]] std::uint64_t uncertain_tests() const { return uncertain_tests_; }
+    [[nodiscard]] std::uint64_t tie_tests() const { return tie_tests_; }
+
+private:
+    // A triangle between the facets a site sees and the rest: seen from inside, and the facet beyond.
+    struct Rim {
+        std::array<Index, 3> vertex;
+        Index beyond;
+    };
+
+    [[nodiscard]] int infinite_corner(const Facet& facet) const;
+    [[nodiscard]] int plane_side(Index site, Index facet) const;
+    [[nodiscard]] bool sees_exactly(Index site, const Facet& facet);
+    void find_cavity(Index site, Index facet);
+    void number_star_vertices(Index site);
+    void take_slots();
+    void make_star(Index site);
+    void set_simplex_plane(Facet& facet);
+    [[nodiscard]] std::uint32_t local_number(Index vertex, const Site& origin);
+
+    Sites& sites_;
+    std::vector<Facet> facets_;
+    std::vector<Index> free_;
+    std::uint32_t insertion_ = 0;
+
+    std::vector<Index> cavity_;
+    std::vector<Rim> rims_;
+    std::vector<Index> star_;
+    std::size_t star_size_ = 0;
+    std::vector<Index> orphans_;
+    StarVertices vertices_;
+    std::uint32_t vertex_count_ = 0;
+    StarPlanes planes_;
+    EdgeTable edges_;
+
+    std::uint64_t uncertain_tests_ = 0;
+    std::uint64_t tie_tests_ = 0;
+};
+
+inline int LiftedHull::infinite_corner(const Facet& facet) const {
+    const Index infinity = sites_.infinity();
+    return facet.vertex[3] == infinity ? 3 : facet.vertex[2] == infinity ? 2 : facet.vertex[1] == infinity ? 1 : 0;
+}
+
+inline int LiftedHull::plane_side(Index site, Index facet) const {
+    const Facet& f = facets_[facet];
+    const Site& origin = sites_.at[f.vertex[0]];
+    const Site& point = sites_.at[site];
+    return f.plane.side(point.x - origin.x, point.y - origin.y, point.z - origin.z);
+}
+
+inline bool LiftedHull::sees(Index site, Index facet) {
+    const int side = plane_side(site, facet);
+    return side != 0 ? side > 0 : sees_exactly(site, facets_[facet]);
+}
+
+}

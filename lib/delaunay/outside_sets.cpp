@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "delaunay/outside_sets.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace crumple::delaunay {
+
+void OutsideSets::add(Index site, Index facet) {
+    Facet& f = hull_.facets()[facet];
+    if (f.outside == none) stack_.push_back(facet);
+    next_[site] = f.outside;
+    f.outside = site;
+}
+
+void OutsideSets::insert_all(const Context& context) {
+    constexpr Index sites_between_checks = 4096;
+    for (Index inserted = 0; !stack_.empty();) {
+        const Index facet = stack_.back();
+        const Index site = hull_.facets()[facet].outside;
+        if (!hull_.is_alive(facet) || site == none) {
+            stack_.pop_back();
+            continue;
+        }
+        if (inserted++ % sites_between_checks == 0) context.stop_if_cancelled();
+        hull_.insert(site, facet);
+        hand_over(site);
+    }
+}
+
+// Every site that saw a facet that went sees a facet of the star: were it to see none, the star would stay in the
+// triangulation with both sites, and so would the facets that the other site's own star replaces, yet both cover the
+// facet that went.
+void OutsideSets::hand_over(Index inserted) {
+    star_farthest_.assign(hull_.star().size(), 0.0f);
+    heights_.resize(std::max(heights_.size(), hull_.star().size()));
+    for (const Index head : hull_.orphans()) {
+        for (Index site = head; site != none;) {
+            const Index next = next_[site];
+            if (site != inserted) place_on_star(site, inserted);
+            site = next;
+        }
+    }
+}
+
+void OutsideSets::place_on_star(Index site, Index inserted) {
+    std::size_t best = highest_star_facet(site, inserted);
+    const auto star = hull_.star();
+    if (!hull_.sees(site, star[best])) {
+        best = 0;
+        while (best < star.size() && !hull_.sees(site, star[best])) ++best;
+        CRUMPLE_CHECK(best < star.size(), "a waiting site sees no facet of the star");
+    }
+    Facet& facet = hull_.facets()[star[best]];
+    const float height = heights_[best];
+    if (facet.outside == none) {
+        stack_.push_back(star[best]);
+        facet.outside = site;
+        next_[site] = none;
+        star_farthest_[best] = height;
+    } else if (height > star_farthest_[best]) {
+        next_[site] = facet.outside;
+        facet.outside = site;
+        star_farthest_[best] = height;
+    } else {
+        next_[site] = next_[facet.outside];
+        next_[facet.outside] = site;
+    }
+}
+
+std::size_t OutsideSets::highest_star_facet(Index site, Index inserted) {
+    const Site& p = hull_.sites().at[site];
+    const Site& origin = hull_.sites().at[inserted];
+    const auto dx = static_cast<float>(p.x - origin.x);
+    const auto dy = static_cast<float>(p.y - origin.y);
+    const auto dz = static_cast<float>(p.z - origin.z);
+    const float square = dx * dx + dy * dy + dz * dz;
+    const StarPlanes& planes = hull_.star_planes();
+    const std::size_t count = hull_.star().size();
+    for (std::size_t i = 0; i < count; ++i) {
+        heights_[i] = planes.normal[0][i] * dx + planes.normal[1][i] * dy + planes.normal[2][i] * dz +
+                      planes.curvature[i] * square;
+    }
+    return static_cast<std::size_t>(std::max_element(heights_.begin(), heights_.begin() + count) - heights_.begin());
+}
+
+}
