@@ -14,8 +14,10 @@ namespace {
 
 std::vector<File> car_files() {
     const Model shell = car_shell();
-    return {
-        {"car_shell.glb", glb_bytes(shell)}, {"car_shell.obj", obj_bytes(shell)}, {"car_shell.ply", ply_bytes(shell)}};
+    return {{"car_shell.glb", glb_bytes(shell)},
+            {"car_shell.obj", obj_bytes(shell)},
+            {"car_shell.ply", ply_bytes(shell)},
+            {"car_visual.glb", glb_bytes(car_visual())}};
 }
 
 std::vector<File> blob_files() {

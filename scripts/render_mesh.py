@@ -30,6 +30,7 @@ def options():
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--zoom", type=float, default=1.0)
     parser.add_argument("--wire", action="store_true", help="draw triangle edges")
+    parser.add_argument("--smooth", action="store_true", help="shade curved surfaces smoothly")
     parser.add_argument("--locks", action="store_true", help="mark locked vertices with red balls")
     parser.add_argument("--ghost", action="append", default=[], metavar="NAME", help="see-through part (or file stem); repeatable")
     parser.add_argument("--hide", action="append", default=[], metavar="NAME", help="leave a part out; repeatable")
@@ -89,14 +90,27 @@ def display(linear):
     return (255 * (numpy.clip(linear, 0, 255) / 255) ** (1 / 2.2)).astype(numpy.uint8)
 
 
+def smoothed(mesh):
+    import vtk
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SetFeatureAngle(35)
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
 def actor_of(part, args, ghost):
     import vtk
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(poly_data(part, args.cut))
+    mapper.SetInputData(smoothed(poly_data(part, args.cut)) if args.smooth else poly_data(part, args.cut))
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetInterpolationToFlat()
+    if args.smooth:
+        look.SetInterpolationToPhong()
+    else:
+        look.SetInterpolationToFlat()
     look.SetAmbient(0.25)
     look.SetDiffuse(0.8)
     look.SetSpecular(0.15)
