@@ -13,6 +13,9 @@ namespace crumple {
 
 namespace {
 
+// On a surface the winding number is one half to rounding: without a margin noise would decide there.
+constexpr double inside_threshold = 0.5 + 1e-9;
+
 struct Part {
     std::vector<Triangle> triangles;
     double volume = 0;
@@ -74,7 +77,7 @@ ShellInterior::~ShellInterior() = default;
 
 Index ShellInterior::innermost(Vec3 p) const {
     for (const Index component : parts_->by_volume) {
-        if (winding(component, p) > 0.5) return component;
+        if (winding(component, p) > inside_threshold) return component;
     }
     return none;
 }
@@ -85,5 +88,7 @@ Index ShellInterior::material_at(Vec3 p) const {
 }
 
 double ShellInterior::winding(Index component, Vec3 p) const { return std::fabs(parts_->winding[component].at(p)); }
+
+std::span<const Index> ShellInterior::by_volume() const { return parts_->by_volume; }
 
 }

@@ -17,6 +17,17 @@ double volume_of(const Shell& shell) {
     return sum;
 }
 
+TEST(Shapes, NoCompilerOptimizesRoundingAway) {
+    for (int count = 1; count < 20; ++count) {
+        std::vector<Vec3> positions(count, Vec3{1.0 / 3, 2.0 / 3, 1.0 / 7});
+        for (Vec3& p : positions) p = round_to_float(p);
+        const auto x = static_cast<float>(1.0 / 3);
+        for (const Vec3& p : positions) EXPECT_EQ(p.x, double{x});
+        EXPECT_EQ(positions.back().y, double{static_cast<float>(2.0 / 3)});
+        EXPECT_EQ(positions.back().z, double{static_cast<float>(1.0 / 7)});
+    }
+}
+
 TEST(Shapes, BoxesAreWoundOutwards) {
     EXPECT_DOUBLE_EQ(volume_of(shapes::box()), 1.0);
     EXPECT_DOUBLE_EQ(volume_of(shapes::subdivided_box(4, {-1, -1, -1}, {1, 2, 3})), 24.0);
