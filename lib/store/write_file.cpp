@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "store/write_file.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.h"
+#include "store/file_descriptor.h"
+
+namespace crumple::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+    throw Error(ErrorKind::file, path.string() + ": cannot be written: " + why);
+}
+
+std::string reason(int error) {
+    if (error == ENOSPC || error == EDQUOT) return "the disk is full";
+    if (error == EFBIG) return "it would exceed the size limit for files";
+    return std::strerror(error);
+}
+
+// Where the bytes will really go. A dangling link counts as the file it points to.
+fs::path follow_links(const std::string& path) {
+    fs::path target = path;
+    for (int step = 0; step < 40; ++step) {
+        std::error_code error;
+        if (!fs::is_symlink(fs::symlink_status(target, error))) return target;
+        const fs::path next = fs::read_symlink(target, error);
+        if (error) fail(path, error.message());
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    fail(path, "too many links");
+}
+
+fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
+
+fs::path checked_target(const std::string& path) {
+    const fs::path target = follow_links(path);
+    std::error_code error;
+    const fs::file_status status = fs::status(target, error);
+    if (path.empty() || !target.has_filename()) fail(path, "it names no file");
+    if (fs::is_directory(status)) fail(path, "it is a folder");
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a plain file");
+    if (!fs::is_directory(folder_of(target), error))
+        fail(path, "the folder " + folder_of(target).string() + " does not exist");
+    return target;
+}
+
+// While it lives, a write past RLIMIT_FSIZE returns EFBIG to this thread instead of killing the process.
+class SizeSignalBlock {
+public:
+    SizeSignalBlock() {
+        ::sigemptyset(&signals_);
+        ::sigaddset(&signals_, SIGXFSZ);
+        ::pthread_sigmask(SIG_BLOCK, &signals_, &before_);
+    }
+    ~SizeSignalBlock() {
+        const int error = errno;
+        const timespec now{};
+        while (::sigtimedwait(&signals_, nullptr, &now) == SIGXFSZ) {
+        }
+        ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+        errno = error;
+    }
+    SizeSignalBlock(const SizeSignalBlock&) = delete;
+    SizeSignalBlock& operator=(const SizeSignalBlock&) = delete;
+
+private:
+    sigset_t signals_{};
+    sigset_t before_{};
+};
+
+// A new file beside the target that disappears again unless it was renamed.
+class Temporary {
+public:
+    explicit Temporary(const fs::path& target) {
+        for (int attempt = 0;; ++attempt) {
+            path_ = folder_of(target) / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                                         std::to_string(attempt) + ".crumple-tmp");
+            id_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (id_ >= 0) return;
+            if (errno != EEXIST || attempt == 1000) fail(target, reason(errno));
+        }
+    }
+    ~Temporary() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    [[nodiscard]] int id() const { return id_; }
+    bool rename_to(const fs::path& target) {
+        if (::rename(path_.c_str(), target.c_str()) != 0) return false;
+        path_.clear();
+        return true;
+    }
+
+private:
+    fs::path path_;
+    int id_ = -1;
+};
+
+bool write_all(int file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(file, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+// Makes the rename itself last; file systems that cannot do it are none of our business.
+void flush_folder(const fs::path& folder) {
+    const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (descriptor.id() >= 0) (void)::fsync(descriptor.id());
+}
+
+}
+
+void check_can_write(const std::string& path) {
+    const fs::path folder = folder_of(checked_target(path));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, "folder " + folder.string() + ": " + reason(errno));
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    const fs::path target = checked_target(path);
+    Temporary temporary(target);
+    FileDescriptor file(temporary.id());
+    {
+        const SizeSignalBlock block;
+        if (!write_all(file.id(), bytes) || ::fsync(file.id()) != 0) fail(path, reason(errno));
+    }
+    if (!file.close()) fail(path, reason(errno));
+    if (!temporary.rename_to(target)) fail(path, reason(errno));
+    flush_folder(folder_of(target));
+}
+
+}
