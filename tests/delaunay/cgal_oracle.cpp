@@ -16,9 +16,8 @@ namespace {
 
 template <class Kernel>
 using Triangulation = CGAL::Delaunay_triangulation_3<
-    Kernel,
-    CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>,
-                                         CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
+    Kernel, CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>,
+                                                 CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
 
 // The inexact kernel's filters are only right away from overflow and underflow.
 bool is_moderate(const std::vector<Vec3>& points) {
@@ -61,7 +60,8 @@ using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 }
 
 std::vector<Tet> cgal_tets(const std::vector<Vec3>& points) {
-    return is_moderate(points) ? tets_of<Inexact>(triangulate<Inexact>(points)) : tets_of<Exact>(triangulate<Exact>(points));
+    return is_moderate(points) ? tets_of<Inexact>(triangulate<Inexact>(points))
+                               : tets_of<Exact>(triangulate<Exact>(points));
 }
 
 int cgal_dimension(const std::vector<Vec3>& points) { return triangulate<Exact>(points).dimension(); }

@@ -105,7 +105,8 @@ inline void add_box(Points& points, const Cuboid& box, double spacing) {
         for (int j = 0; j <= ny; ++j) {
             for (int k = 0; k <= nz; ++k) {
                 if (i % nx != 0 && j % ny != 0 && k % nz != 0) continue;
-                points.push_back({box.low.x + size.x * i / nx, box.low.y + size.y * j / ny, box.low.z + size.z * k / nz});
+                points.push_back(
+                    {box.low.x + size.x * i / nx, box.low.y + size.y * j / ny, box.low.z + size.z * k / nz});
             }
         }
     }
