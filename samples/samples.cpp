@@ -6,7 +6,9 @@
 
 #include "core/error.h"
 #include "samples/blob.h"
+#include "samples/broken.h"
 #include "samples/car.h"
+#include "samples/ring.h"
 #include "samples/write.h"
 
 namespace crumple::samples {
@@ -24,9 +26,22 @@ std::vector<File> blob_files() {
     return {{"blob_shell.ply", ply_bytes(blob_shell())}, {"blob_visual.ply", ply_bytes(blob_visual())}};
 }
 
+std::vector<File> ring_files() {
+    return {{"ring_shell.obj", obj_bytes(ring_shell())}, {"ring_visual.ply", ply_bytes(ring_visual())}};
+}
+
+std::vector<File> broken_files() {
+    std::vector<File> files;
+    for (const auto& shell : broken_shells())
+        files.push_back({std::string(shell.name) + ".obj", obj_bytes(shell.make())});
+    return files;
+}
+
 constexpr Sample table[] = {
     {"car", "a car: body, locked engine block, roll cage, wheel houses; a detailed visual mesh", car_files},
     {"blob", "a four-legged blob with locked feet and a finer visual mesh", blob_files},
+    {"ring", "a ring with one locked side and a finer visual mesh", ring_files},
+    {"broken", "shells with one fault each: what the tool says about them is worth reading", broken_files},
 };
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {
