@@ -222,7 +222,9 @@ private:
         if (!panel.name) return;
         Part& part = part_of(panel);
         const auto corner = [&](std::size_t a, std::size_t b) { return vertex(part, a, b, panel.color); };
-        add_quad(part, corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j));
+        // In braces: the order in which vertices are made must not depend on the compiler.
+        const std::array<Index, 4> c = {corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)};
+        add_quad(part, c[0], c[1], c[2], c[3]);
     }
 
     // The small hole that the innermost ring of a cap leaves.

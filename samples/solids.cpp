@@ -10,6 +10,7 @@ namespace crumple::samples {
 namespace {
 
 using Lattice = std::array<int, 3>;
+using Quad = std::array<Index, 4>;
 
 // Blends a point of the cube [-1, 1]^3 with the sphere.
 Vec3 rounded(Vec3 p, double rounding) {
@@ -62,10 +63,12 @@ void add_box(Part& part, const Box& box, Color color) {
                         at[v] = j + dj;
                         return vertex(at);
                     };
+                    // In braces: the order in which vertices are made must not depend on the compiler.
+                    const Quad quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
                     if (side == 0) {
-                        add_quad(part, corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0));
+                        add_quad(part, quad[0], quad[3], quad[2], quad[1]);
                     } else {
-                        add_quad(part, corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
+                        add_quad(part, quad[0], quad[1], quad[2], quad[3]);
                     }
                 }
             }
