@@ -3,7 +3,7 @@
 """Holds the layers and the licences of lib/README.md:
 
 - a module includes headers of itself and of the modules its CMakeLists.txt says it USES, nothing else of ours;
-- heavy packages stay where they live, and out of headers;
+- heavy packages stay where they live, and out of every header that another module includes;
 - every source says its licence, the one of its module; an MIT module reaches MIT modules only.
 
     scripts/check_layers.py [ROOT]
@@ -20,7 +20,7 @@ PACKAGES = {
     r"assimp/": {"importer"},
     r"hdf5|H5": {"store"},
     r"openssl/": {"store"},
-    r"nlohmann/": {"pipeline", "report"},
+    r"nlohmann/": {"pipeline", "report", "importer"},  # importer: glTF is JSON
     r"valijson/": set(),
     r"CLI/": {"cli"},
     r"Eigen/": {"reference"},
@@ -83,24 +83,36 @@ def reach(modules, name, seen=None):
     return seen
 
 
-def check_includes(root, modules, module):
+def packaged_headers(modules):
+    """Headers through which a package would reach whoever includes them: theirs to keep within their module."""
+    headers = {str(path.relative_to(module.folder.parent)): list(includes_of(path))
+               for module in modules.values() for path in sources_below(module.folder) if path.suffix == ".h"}
+    found = {name for name, includes in headers.items()
+             if any(bracket == "<" and re.match("|".join(PACKAGES), target) for _, bracket, target in includes)}
+    while True:
+        more = {name for name, includes in headers.items() if any(target in found for _, _, target in includes)} - found
+        if not more:
+            return found
+        found |= more
+
+
+def check_includes(root, modules, module, packaged):
     for path in sources_below(module.folder):
         where = path.relative_to(root)
         for number, _, target in includes_of(path):
             owner = target.split("/")[0]
             if owner in modules and owner != module.name and owner not in module.uses:
                 yield f"{where}:{number}: {module.name} includes {target} but does not say USES {owner}"
+            if owner != module.name and target in packaged:
+                yield f"{where}:{number}: {target} brings a heavy package along; only {owner} may include it"
         yield from check_packages(where, path, module.name)
 
 
 def check_packages(where, path, owner):
     for number, bracket, target in includes_of(path):
         for pattern, allowed in PACKAGES.items():
-            if bracket == "<" and re.match(pattern, target):
-                if owner not in allowed:
-                    yield f"{where}:{number}: {owner} includes <{target}>; only {', '.join(sorted(allowed)) or 'tests'} may"
-                elif path.suffix == ".h":
-                    yield f"{where}:{number}: <{target}> in a header; heavy packages appear in .cpp files only"
+            if bracket == "<" and re.match(pattern, target) and owner not in allowed:
+                yield f"{where}:{number}: {owner} includes <{target}>; only {', '.join(sorted(allowed)) or 'tests'} may"
 
 
 def check_licences(modules, module):
@@ -126,8 +138,9 @@ def check_spdx(root, modules):
 
 def offences(root):
     modules = read_modules(root)
+    packaged = packaged_headers(modules)
     for module in modules.values():
-        yield from check_includes(root, modules, module)
+        yield from check_includes(root, modules, module, packaged)
         yield from check_licences(modules, module)
     if (root / "cli").is_dir():
         for path in sources_below(root / "cli"):

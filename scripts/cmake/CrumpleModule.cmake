@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-# The functions every folder of the project is built with.
+# The two functions every folder of the project is built with.
 #
 #   crumple_module(cull SOURCES cull.cpp classify.cpp USES core geometry mesh PACKAGES CGAL::CGAL [LICENSE MIT])
 #   crumple_test(cull [SOURCES test_cull.cpp ...] [USES sample ...] [PACKAGES CGAL::CGAL])
-#   crumple_bench(bind USES bind samples [PACKAGES CGAL::CGAL])   # tests/bench/bench_bind.cpp, see tests/bench/bench.h
 #
 # A module may only use modules that were added before it, so the layers of lib/README.md hold at configure time.
 # Packages are linked PRIVATE: their headers appear in .cpp files only.
@@ -63,13 +62,4 @@ function(crumple_test name)
     include(GoogleTest)
     # Tests that need the shared data read CRUMPLE_DATA and skip visibly where it is absent.
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
-endfunction()
-
-# One benchmark program, tests/bench/bench_<name>.cpp, run by scripts/bench.sh <name>.
-function(crumple_bench name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;PACKAGES")
-    add_executable(bench_${name} bench_${name}.cpp)
-    list(TRANSFORM arg_USES PREPEND crumple_ OUTPUT_VARIABLE used_targets)
-    target_link_libraries(bench_${name} PRIVATE crumple_bench_report ${used_targets} ${arg_PACKAGES})
-    _crumple_flags(bench_${name})
 endfunction()
