@@ -20,27 +20,26 @@ constexpr double largest_curvature = 0x1p100;
 constexpr double round_up = 1 + 0x1p-20;
 
 struct Inputs {
-    const double* x;
-    const double* y;
-    const double* z;
-    const double* square;
-    const double* largest;
-    const std::uint32_t* a;
-    const std::uint32_t* b;
-    const std::uint32_t* c;
+    const double* __restrict x;
+    const double* __restrict y;
+    const double* __restrict z;
+    const double* __restrict square;
+    const double* __restrict largest;
+    const std::uint32_t* __restrict a;
+    const std::uint32_t* __restrict b;
+    const std::uint32_t* __restrict c;
 };
 
 struct Outputs {
-    float* nx;
-    float* ny;
-    float* nz;
-    float* curvature;
-    float* normal_error;
-    float* curvature_error;
+    float* __restrict nx;
+    float* __restrict ny;
+    float* __restrict nz;
+    float* __restrict curvature;
+    float* __restrict normal_error;
+    float* __restrict curvature_error;
 };
 
 CRUMPLE_CLONES void fill(const Inputs in, const Outputs out, const std::size_t count) {
-#pragma GCC ivdep
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t a = in.a[i], b = in.b[i], c = in.c[i];
         const double ax = in.x[a], ay = in.y[a], az = in.z[a], aa = in.square[a], am = in.largest[a];
@@ -62,10 +61,10 @@ CRUMPLE_CLONES void fill(const Inputs in, const Outputs out, const std::size_t c
         const double volume_error = 60 * unit_roundoff * (am * bm * cm) * inverse;
         const bool usable = largest >= smallest_normal && magnitude <= largest_curvature;
         const double unusable = usable ? 0.0 : std::numeric_limits<double>::infinity();
-        out.nx[i] = static_cast<float>(usable ? nx * inverse : 0.0);
-        out.ny[i] = static_cast<float>(usable ? ny * inverse : 0.0);
-        out.nz[i] = static_cast<float>(usable ? nz * inverse : 0.0);
-        out.curvature[i] = static_cast<float>(usable ? curvature : 0.0);
+        out.nx[i] = static_cast<float>(nx * inverse);
+        out.ny[i] = static_cast<float>(ny * inverse);
+        out.nz[i] = static_cast<float>(nz * inverse);
+        out.curvature[i] = static_cast<float>(curvature);
         out.normal_error[i] = static_cast<float>((normal_error + (0x1p-25 + 0x1p-48)) * round_up + unusable);
         out.curvature_error[i] =
             static_cast<float>((volume_error + (0x1p-24 + 0x1p-48) * magnitude + 0x1p-120) * round_up + unusable);
