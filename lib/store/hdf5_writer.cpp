@@ -191,7 +191,7 @@ std::vector<std::byte> FileWriter::finish() {
     const std::string group = digest_group;
     write_texts(group + "/path", paths);
     write(group + "/sha256", digests);
-    write(group + "/all", all.finish());
+    write_value(group + "/all", all.finish());
     require(H5Fflush(state_->file.id(), H5F_SCOPE_GLOBAL) >= 0, "HDF5 flush");
     hsize_t size = 0;
     require(H5Fget_filesize(state_->file.id(), &size) >= 0, "HDF5 file size");
