@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "geometry/measures.h"
+#include "geometry/predicates.h"
+#include "geometry/self_intersection.h"
+
+namespace crumple::importer {
+
+namespace {
+
+// A coordinate this many times the box diagonal keeps 24 - 13 = 11 bits for the shape: details of 1/2000 are lost.
+constexpr double far_away = 1e4;
+
+// More than this share locked is rarely meant: black is a common default fill.
+constexpr double nearly_all = 0.95;
+
+// Exact: whether no four vertices span a tet.
+bool is_flat(const std::vector<Vec3>& p) {
+    std::size_t second = 1;
+    while (second < p.size() && p[second] == p[0]) ++second;
+    std::size_t third = second + 1;
+    while (third < p.size() && are_collinear(p[0], p[second], p[third])) ++third;
+    for (std::size_t v = third + 1; v < p.size(); ++v) {
+        if (orient3d(p[0], p[second], p[third], p[v]) != 0) return false;
+    }
+    return true;
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share))) + " %"; }
+
+void finish(Finding& finding, const std::string& message, std::vector<Finding>& findings) {
+    if (finding.count == 0) return;
+    finding.message = std::to_string(finding.count) + message;
+    findings.push_back(std::move(finding));
+}
+
+}
+
+void check_usable(const Shell& shell, std::uint64_t file_triangles) {
+    if (shell.triangles.empty()) {
+        throw Error(ErrorKind::bad_input,
+                    file_triangles == 0
+                        ? "SHELL_EMPTY: it has no faces; a control shell is a closed surface"
+                        : "SHELL_EMPTY: none of its " + std::to_string(file_triangles) + " triangles has an area");
+    }
+    if (is_flat(shell.positions)) {
+        throw Error(ErrorKind::bad_input,
+                    "SHELL_FLAT: all its vertices lie in one plane; a control shell encloses a volume");
+    }
+}
+
+std::vector<Finding> judge_shape(const Shell& shell, const Context& context, std::uint64_t& intersections) {
+    Finding crossing{"SHELL_SELF_INTERSECTING", Severity::warning, "", 0, {}};
+    Finding overlapping{"SHELL_OVERLAPPING", Severity::warning, "", 0, {}};
+    Finding hollow{"SHELL_NO_VOLUME", Severity::warning, "", 0, {}};
+    const auto pairs = self_intersections(shell.positions, shell.triangles, context);
+    intersections = pairs.size();
+    for (const MeetingTriangles& pair : pairs) {
+        const Index first = shell.component[pair.first];
+        const Index second = shell.component[pair.second];
+        Finding& finding = first == second ? crossing : overlapping;
+        const std::string name =
+            shell.components[first].name + (first == second ? "" : " / " + shell.components[second].name);
+        if (finding.count++ < max_places) finding.places.push_back({pair.place, pair.first, name});
+    }
+    for (std::size_t c = 0; c < shell.components.size(); ++c) {
+        const Component& component = shell.components[c];
+        if (component.is_closed && component.volume > 0) continue;
+        if (!component.is_closed || hollow.count++ >= max_places) continue;
+        const auto first =
+            std::find(shell.component.begin(), shell.component.end(), static_cast<Index>(c)) - shell.component.begin();
+        hollow.places.push_back(
+            {shell.positions[shell.triangles[static_cast<std::size_t>(first)][0]], none, component.name});
+    }
+    std::vector<Finding> findings;
+    finish(crossing, " pairs of triangles of one component cross or touch; inside and outside are a guess there",
+           findings);
+    finish(overlapping,
+           " pairs of triangles of two components cross or touch; where they overlap the smaller one decides",
+           findings);
+    finish(hollow, " closed components enclose nothing (front and back coincide); export single-sided surfaces",
+           findings);
+    return findings;
+}
+
+std::vector<Finding> judge_precision(const Shell& shell, double diagonal) {
+    Finding finding{"SHELL_FAR_FROM_ORIGIN", Severity::warning, "", 1, {}};
+    double farthest = 0;
+    for (const Vec3& p : shell.positions) {
+        if (length(p) <= farthest) continue;
+        farthest = length(p);
+        finding.places = {{p, none, ""}};
+    }
+    if (!(farthest > far_away * diagonal)) return {};
+    finding.message = "the shell lies " +
+                      std::to_string(static_cast<std::uint64_t>(std::min(farthest / diagonal, 1e18))) +
+                      " times its size from the origin: float positions have lost precision there, vertices may have "
+                      "merged; move it to the origin before exporting";
+    return {finding};
+}
+
+std::vector<Finding> judge_locks(const Shell& shell, const PaintedVertices& painted, Finding conflicts,
+                                 const Params& params) {
+    std::vector<Finding> findings = painted.findings;
+    const auto locked = static_cast<std::uint64_t>(std::count(shell.locked.begin(), shell.locked.end(), 1));
+    const bool has_colors =
+        std::any_of(painted.paint.begin(), painted.paint.end(), [](Paint p) { return p != Paint::none; });
+    if (locked == 0) {
+        const std::string set = std::to_string(params.color_set);
+        const std::string why = painted.set_count == 0 ? "the file has no vertex colours"
+                                : !has_colors          ? "the file has no colour set " + set
+                                                       : "no vertex has red 0 in colour set " + set;
+        findings.push_back({"LOCK_NOTHING_PAINTED", Severity::warning, why + ": nothing is locked", 1, {}});
+    }
+    const double share =
+        static_cast<double>(locked) / static_cast<double>(std::max<std::size_t>(1, shell.locked.size()));
+    if (share > nearly_all) {
+        findings.push_back({"LOCK_NEARLY_ALL",
+                            Severity::warning,
+                            percent(share) + " of the vertices are locked; black is a common default fill, paint white "
+                                             "where the shell may deform",
+                            locked,
+                            {}});
+    }
+    finish(conflicts,
+           " locked vertices have a copy painted free (a seam between materials, say); they are locked; paint all "
+           "copies alike",
+           findings);
+    if (params.strict && !findings.empty() && findings.back().code == "LOCK_CONFLICT") {
+        const Place& place = findings.back().places.front();
+        throw Error(ErrorKind::bad_input, "LOCK_CONFLICT: " + findings.back().message + " (first: source vertex " +
+                                              std::to_string(place.element) + "); import.strict makes this an error");
+    }
+    return findings;
+}
+
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person should know about a finished shell, and what no later stage could work with.
+#pragma once
+#include <vector>
+
+#include "core/context.h"
+#include "core/finding.h"
+#include "importer/import.h"
+#include "importer/paint.h"
+#include "mesh/shell.h"
+
+namespace crumple::importer {
+
+// Throws Error(bad_input) when the shell has no triangle or all its vertices lie in one plane.
+void check_usable(const Shell& shell, std::uint64_t file_triangles);
+
+// Pairs of triangles that meet, within a component and between two; components that enclose nothing.
+[[nodiscard]] std::vector<Finding> judge_shape(const Shell& shell, const Context& context,
+                                               std::uint64_t& intersections);
+
+// A box so far from the origin that its floats are coarse.
+[[nodiscard]] std::vector<Finding> judge_precision(const Shell& shell, double diagonal);
+
+// Nothing locked, nearly everything locked, copies that disagree (an Error(bad_input) when params are strict).
+[[nodiscard]] std::vector<Finding> judge_locks(const Shell& shell, const PaintedVertices& painted, Finding conflicts,
+                                               const Params& params);
+
+}

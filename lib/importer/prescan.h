@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A look at the file's own bytes before assimp reads it: refuses what assimp would silently spoil, and keeps what it
+// loses: the numbers as the text states them (assimp's parser is up to a few ulp off) and the order of OBJ vertices.
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/vec3.h"
+
+namespace crumple::importer {
+
+enum class Purpose { shell, visual };
+
+struct Prescan {
+    std::vector<Vec3f> positions;         // the file's vertices in order, nearest float; empty: nothing to restore
+    std::vector<Vec3f> assimp_positions;  // OBJ: the same as assimp's parser reads them, by which its corners are found
+    std::uint64_t expected_triangles = 0;  // from polygon sizes, 0: not counted
+};
+
+// All throw Error(bad_input) that says where in the file.
+
+// A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's 3 or 6 each.
+[[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
+
+// The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist.
+[[nodiscard]] Prescan prescan_ply(std::string_view bytes);
+
+// The counts of the header are those of the lines that follow.
+[[nodiscard]] Prescan prescan_off(std::string_view text);
+
+// Binary glTF: the chunks fit the file. Both: version 2, no accessor reaches beyond its buffer.
+[[nodiscard]] Prescan prescan_gltf(std::string_view bytes);
+
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <assimp/fast_atof.h>
+
+#include "core/error.h"
+#include "importer/prescan.h"
+#include "importer/printable.h"
+#include "importer/text.h"
+
+namespace crumple::importer {
+
+namespace {
+
+[[noreturn]] void refuse(std::size_t line, const std::string& what) {
+    throw Error(ErrorKind::bad_input, "line " + std::to_string(line) + ": " + what);
+}
+
+// A line of OBJ, with the lines a backslash joins to it.
+class Lines {
+public:
+    explicit Lines(std::string_view text) : left_(text) {}
+
+    bool next(std::string_view& line) {
+        number_ += joined_;
+        joined_ = 0;
+        if (left_.empty()) return false;
+        line = take();
+        if (line.empty() || line.back() != '\\') return true;
+        buffer_.clear();
+        while (!line.empty() && line.back() == '\\') {
+            buffer_.append(line.substr(0, line.size() - 1)).push_back(' ');
+            line = left_.empty() ? std::string_view{} : take();
+        }
+        buffer_.append(line);
+        line = buffer_;
+        return true;
+    }
+    [[nodiscard]] std::size_t number() const { return number_ + 1; }  // of the first of the joined lines
+
+private:
+    std::string_view take() {
+        ++joined_;
+        return next_line(left_);
+    }
+    std::string_view left_;
+    std::string buffer_;
+    std::size_t number_ = 0;
+    std::size_t joined_ = 0;
+};
+
+struct VertexLine {
+    std::array<std::string_view, 7> words;  // 7: one more than any good line has
+    std::size_t count = 0;
+};
+
+VertexLine split(std::string_view line) {
+    VertexLine result;
+    for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) {
+        if (result.count < result.words.size()) result.words[result.count] = word;
+        ++result.count;
+    }
+    return result;
+}
+
+Vec3f exact_position(const VertexLine& vertex, std::size_t line) {
+    Vec3f position;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view word = vertex.words[static_cast<std::size_t>(axis)];
+        // Through double: a number too small for a float is 0, not an error.
+        const auto value = to_number<double>(word);
+        if (!value) refuse(line, quoted(word) + " is not a number");
+        position[axis] = static_cast<float>(*value);
+    }
+    return position;
+}
+
+// What assimp's parser throws; its own exception type is not exported from the library.
+struct NoNumber {
+    template <class... Parts>
+    explicit NoNumber(Parts&&...) {}
+};
+
+Vec3f assimp_position(const VertexLine& vertex) {
+    Vec3f position;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string word(vertex.words[static_cast<std::size_t>(axis)]);
+        position[axis] = Assimp::fast_atof<NoNumber>(word.c_str());
+    }
+    return position;
+}
+
+void check_number_count(std::size_t count, std::size_t& first_count, std::size_t line, Purpose purpose) {
+    const std::string have = "a `v` line of " + std::to_string(count) + " numbers";
+    if (count != 3 && count != 6) {
+        refuse(line, have + "; write x y z, or x y z red green blue on every one (alpha is not read)");
+    }
+    if (first_count == 0) first_count = count;
+    if (purpose == Purpose::shell && count != first_count) {
+        refuse(line, have + " where the first has " + std::to_string(first_count) +
+                         "; give every vertex a colour or none, or vertices without one would count as locked");
+    }
+}
+
+std::uint64_t triangles_of_polygon(std::string_view line) {
+    std::uint64_t corners = 0;
+    for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) ++corners;
+    return corners < 3 ? 0 : corners - 2;
+}
+
+}
+
+Prescan prescan_obj(std::string_view text, Purpose purpose) {
+    Prescan result;
+    Lines lines(text);
+    std::size_t first_count = 0;
+    for (std::string_view line; lines.next(line);) {
+        const std::string_view keyword = next_word(line);
+        if (keyword == "f") result.expected_triangles += triangles_of_polygon(line);
+        if (keyword != "v") continue;
+        const VertexLine vertex = split(line);
+        check_number_count(vertex.count, first_count, lines.number(), purpose);
+        result.positions.push_back(exact_position(vertex, lines.number()));
+        result.assimp_positions.push_back(assimp_position(vertex));
+    }
+    if (result.positions.empty()) throw Error(ErrorKind::bad_input, "no `v` line: this is no OBJ file with vertices");
+    return result;
+}
+
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/read_scene.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <new>
+
+#include "core/error.h"
+#include "importer/file_space.h"
+#include "importer/prescan.h"
+#include "importer/restore.h"
+#include "importer/source_file.h"
+
+namespace crumple::importer {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::bad_input, what); }
+
+Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
+    switch (format) {
+        case FormatId::obj:
+            return prescan_obj(bytes, purpose);
+        case FormatId::ply:
+            return prescan_ply(bytes);
+        case FormatId::off:
+            return prescan_off(bytes);
+        case FormatId::gltf:
+            return prescan_gltf(bytes);
+        default:
+            return {};
+    }
+}
+
+// assimp's own words, without the path some of them carry.
+std::string reason(const Assimp::Importer& importer, const std::string& path) {
+    std::string text = importer.GetErrorString();
+    if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
+        text.replace(at, path.size(), "the file");
+    return text.empty() ? "it cannot be read" : text;
+}
+
+void check_importer(const aiScene& scene, const Format& format) {
+    aiString used;
+    const bool says = scene.mMetaData && scene.mMetaData->Get("SourceAsset_Format", used);
+    if (!says || std::string_view(used.C_Str()) == format.assimp_name) return;
+    refuse("the content is no " + std::string(format.name) + ": it was recognized as " + used.C_Str());
+}
+
+// The importer is never destroyed: some destructors crash after a good load, and this process ends anyway.
+// JoinIdenticalVertices would lose locks (it ignores colours), SortByPType would reorder vertices.
+const aiScene& read_with_assimp(const std::string& path, const Format& format) {
+    auto* importer = new Assimp::Importer;
+    const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
+    if (!scene) refuse(reason(*importer, path));
+    check_importer(*scene, format);
+    if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) || !scene->mRootNode || scene->mNumMeshes == 0) {
+        refuse("it holds no mesh");
+    }
+    return *scene;
+}
+
+void copy_faces(const aiMesh& from, SceneMesh& to) {
+    to.triangles.reserve(from.mNumFaces);
+    for (unsigned f = 0; f < from.mNumFaces; ++f) {
+        const aiFace& face = from.mFaces[f];
+        if (face.mNumIndices == 3) {
+            to.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+        } else if (face.mNumIndices < 3) {
+            ++to.points_and_lines;
+        } else {
+            ++to.unreadable_polygons;
+        }
+    }
+}
+
+std::vector<std::vector<Color>> copy_colors(const aiMesh& mesh) {
+    std::vector<std::vector<Color>> sets(mesh.GetNumColorChannels());
+    for (unsigned set = 0; set < sets.size(); ++set) {
+        sets[set].resize(mesh.mNumVertices);
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const aiColor4D& c = mesh.mColors[set][v];
+            sets[set][v] = {c.r, c.g, c.b, c.a};
+        }
+    }
+    return sets;
+}
+
+SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, Purpose purpose) {
+    SceneMesh mesh;
+    mesh.name = from.mName.C_Str();
+    if (from.mMaterialIndex < scene.mNumMaterials)
+        mesh.material = scene.mMaterials[from.mMaterialIndex]->GetName().C_Str();
+    mesh.positions.resize(from.mNumVertices);
+    for (unsigned v = 0; v < from.mNumVertices; ++v) {
+        const aiVector3D& p = from.mVertices[v];
+        mesh.positions[v] = {p.x, p.y, p.z};
+    }
+    copy_faces(from, mesh);
+    if (purpose == Purpose::shell) mesh.colors = copy_colors(from);
+    return mesh;
+}
+
+std::array<double, 12> copy_transform(const aiMatrix4x4& m, const char* node) {
+    if (m.d1 != 0 || m.d2 != 0 || m.d3 != 0 || m.d4 != 1)
+        refuse(std::string("the transform of node '") + node + "' is not affine");
+    return {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4};
+}
+
+// Parents before children, children in file order. A list instead of recursion: the file decides how deep it goes.
+void copy_nodes(const aiNode& root, std::vector<SceneNode>& nodes) {
+    struct Pending {
+        const aiNode* node;
+        Index parent;
+    };
+    std::vector<Pending> pending{{&root, none}};
+    while (!pending.empty()) {
+        const Pending next = pending.back();
+        pending.pop_back();
+        SceneNode node;
+        node.name = next.node->mName.C_Str();
+        node.parent = next.parent;
+        node.transform = copy_transform(next.node->mTransformation, next.node->mName.C_Str());
+        node.meshes.assign(next.node->mMeshes, next.node->mMeshes + next.node->mNumMeshes);
+        const auto index = static_cast<Index>(nodes.size());
+        nodes.push_back(std::move(node));
+        for (unsigned i = next.node->mNumChildren; i-- > 0;) pending.push_back({next.node->mChildren[i], index});
+    }
+}
+
+}
+
+Scene read_scene(const std::string& path, const Format& format, Purpose purpose) {
+    const std::string bytes = read_file(path);
+    if (bytes.empty()) refuse("the file is empty");
+    Prescan scan = prescan(bytes, format.id, purpose);
+    const aiScene& from = read_with_assimp(path, format);
+
+    Scene scene;
+    scene.expected_triangles = scan.expected_triangles;
+    for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
+    copy_nodes(*from.mRootNode, scene.nodes);
+    read_file_space(from, format.id, scene);
+    restore(std::move(scan), scene);
+    return scene;
+}
+
+}

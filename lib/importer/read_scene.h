@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads one file: what runs in the child (read_scene), and how it is run (load_scene).
+#pragma once
+#include <string>
+
+#include "importer/format.h"
+#include "importer/import.h"
+#include "importer/prescan.h"
+#include "importer/scene.h"
+
+namespace crumple::importer {
+
+// Looks at the bytes, lets assimp read the file, and copies what counts. May crash, hang or take all memory: assimp.
+// Throws Error without the file's name.
+[[nodiscard]] Scene read_scene(const std::string& path, const Format& format, Purpose purpose);
+
+// The same in a child process with the limits of params; whatever goes wrong there becomes an Error that begins with
+// the path: file for a path that cannot be opened, bad_input for everything else.
+[[nodiscard]] Scene load_scene(const std::string& path, Purpose purpose, const Params& params);
+
+}
