@@ -143,6 +143,9 @@ private:
 // A value that owns its struct: the Params or Report of some stage.
 class OwnedDescribed {
 public:
+    OwnedDescribed(OwnedDescribed&&) noexcept = default;
+    OwnedDescribed& operator=(OwnedDescribed&&) noexcept = default;
+
     template <class T>
     static OwnedDescribed make(T value = {}) {
         auto data = std::make_shared<T>(std::move(value));
@@ -153,7 +156,7 @@ public:
     // REQUIRES: made with this T.
     template <class T>
     [[nodiscard]] const T& as() const {
-        return *static_cast<const T*>(data_.get());
+        return *view_.get_if<T>();
     }
 
 private:

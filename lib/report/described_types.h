@@ -205,14 +205,15 @@ struct TypeOf<std::map<std::string, T>> {
     }
 };
 
-// Everything else has a describe() of its own.
+// Everything else has a describe() of its own; a struct without members needs none.
 template <class T>
 struct TypeOf {
     static TypeInfo make() {
         TypeInfo type{.kind = Kind::object};
         type.fields = [](void* p) {
             FieldCollector collector;
-            describe(collector, value<T>(p));
+            if constexpr (!std::is_empty_v<T>) describe(collector, value<T>(p));
+            (void)p;
             return collector.take();
         };
         return type;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+
+#include <string_view>
+
+#include "store/read_file.h"
+
+namespace crumple::cli {
+
+namespace {
+
+void append_lines(const std::string& path, std::vector<std::string>& arguments) {
+    const std::vector<std::byte> bytes = store::read_file(path);
+    std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string_view line = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (!line.empty()) arguments.emplace_back(line);
+    }
+}
+
+}
+
+std::vector<std::string> expand_arguments(int count, const char* const* words) {
+    std::vector<std::string> arguments;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        if (word.size() > 1 && word[0] == '@')
+            append_lines(word.substr(1), arguments);
+        else
+            arguments.push_back(word);
+    }
+    return arguments;
+}
+
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program says with its exit code.
+//
+//     0  ok                         4  a quality gate is not met
+//     1  usage: option, recipe      5  internal error: a bug
+//     2  a path cannot be opened,   6  out of the time or memory allowed
+//        read or written            7  check or compare found damage or a difference
+//     3  the input is refused
+#pragma once
+#include <array>
+
+#include "core/error.h"
+
+namespace crumple::cli {
+
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_usage = 1;
+inline constexpr int exit_internal = 5;
+inline constexpr int exit_difference = 7;
+
+constexpr int exit_code_of(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::usage:
+            return exit_usage;
+        case ErrorKind::file:
+            return 2;
+        case ErrorKind::bad_input:
+            return 3;
+        case ErrorKind::quality:
+            return 4;
+        case ErrorKind::internal:
+            return exit_internal;
+        case ErrorKind::budget:
+            return 6;
+        case ErrorKind::difference:
+            return exit_difference;
+    }
+    return exit_internal;
+}
+
+// Over many files: the first of 5 2 7 3 6 4 0 that occurred.
+constexpr int more_important(int a, int b) {
+    constexpr std::array order{5, 2, 7, 3, 6, 4, 0};
+    for (const int code : order) {
+        if (a == code || b == code) return code;
+    }
+    return exit_internal;
+}
+
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options that say what to read: those of `cook` and of `import`.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "importer/import.h"
+#include "pipeline/recipe.h"
+
+namespace CLI {
+class App;
+}
+
+namespace crumple::cli {
+
+struct ImportFlags {
+    std::string shell;
+    std::vector<std::string> visuals;   // "[NAME=]FILE"
+    std::vector<std::string> settings;  // "import.unit=0.01", in the order of the flags
+};
+
+// The flags live as long as the verb's command.
+[[nodiscard]] std::shared_ptr<ImportFlags> add_import_flags(CLI::App& verb);
+
+[[nodiscard]] importer::Sources sources_of(const ImportFlags& flags);
+[[nodiscard]] std::vector<std::string> paths_of(const importer::Sources& sources);
+
+}

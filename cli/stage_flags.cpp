@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/stage_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "pipeline/stage_table.h"
+#include "report/json_writer.h"
+
+namespace crumple::cli {
+
+namespace {
+
+bool is_single(report::Kind kind) {
+    using enum report::Kind;
+    return kind == boolean || kind == integer || kind == number || kind == text || kind == choice;
+}
+
+std::string type_of(const report::Field& field) {
+    switch (field.value.kind()) {
+        case report::Kind::choice: {
+            std::string names;
+            for (const std::string_view name : field.value.type().choices())
+                names += (names.empty() ? "" : "|") + std::string(name);
+            return names;
+        }
+        case report::Kind::boolean:
+            return "true|false";
+        case report::Kind::text:
+            return "TEXT";
+        default:
+            return "N";
+    }
+}
+
+}
+
+void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<std::string>& settings) {
+    const report::OwnedDescribed params = stage.make_params();
+    for (const report::Field& field : params.view().fields()) {
+        std::string option = "--" + field.name;
+        std::replace(option.begin(), option.end(), '_', '-');
+        if (!is_single(field.value.kind()) || verb.get_option_no_throw(option)) continue;
+        const std::string path = std::string(stage.name) + "." + field.name;
+        const std::string value = report::write_json(field.value, report::JsonStyle::compact);
+        verb.add_option_function<std::string>(
+                option, [&settings, path](const std::string& text) { settings.push_back(path + "=" + text); },
+                field.help + " [" + value + "]")
+            ->type_name(type_of(field))
+            ->group("Parameters");
+    }
+}
+
+std::string with_stage(std::string_view stage, const std::string& setting) {
+    const std::string prefix = std::string(stage) + ".";
+    return setting.starts_with(prefix) ? setting : prefix + setting;
+}
+
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crumple check, inspect and compare: what is in a file, and is it true
+#include <CLI/CLI.hpp>
+
+#include "cli/exit_codes.h"
+#include "cli/output_flags.h"
+#include "cli/verbs.h"
+#include "pipeline/check.h"
+#include "pipeline/compare.h"
+#include "pipeline/inspect.h"
+#include "report/json_writer.h"
+#include "report/number_text.h"
+#include "report/text_view.h"
+
+namespace crumple::cli {
+
+namespace {
+
+struct FileFlags {
+    std::vector<std::string> files;
+    Format format = Format::text;
+    bool lists_datasets = false;
+};
+
+int run_check(const FileFlags& flags, const Console& console) {
+    pipeline::CheckReport report;
+    for (const std::string& path : flags.files) {
+        report.files.push_back(pipeline::check_file(path));
+        const pipeline::FileCheck& file = report.files.back();
+        report.exit_code = more_important(report.exit_code, file.exit_code);
+        if (flags.format == Format::text)
+            console.result(pipeline::check_text(file, console.colors_results(), console.is_verbose));
+    }
+    if (flags.format == Format::json) console.result(report::write_json(report::Described::of(report)));
+    return report.exit_code;
+}
+
+int run_inspect(const FileFlags& flags, const Console& console) {
+    const pipeline::InspectReport report = pipeline::inspect_file(flags.files.front());
+    console.result(flags.format == Format::json
+                       ? report::write_json(report::Described::of(report))
+                       : pipeline::inspect_text(report, flags.lists_datasets || console.is_verbose));
+    return exit_ok;
+}
+
+std::string difference_text(const pipeline::Difference& difference) {
+    std::string text = report::printable(difference.path) + ": " + difference.what + ", " +
+                       std::to_string(difference.count) + " of them";
+    text += ", at row " + std::to_string(difference.row) + " column " + std::to_string(difference.column) + ": " +
+            report::printable(difference.a) + " and " + report::printable(difference.b);
+    if (difference.size > 0) text += "; largest |a - b| " + report::number_text(difference.size);
+    return text + "\n";
+}
+
+std::string compare_text(const pipeline::CompareReport& report) {
+    if (report.is_equal) return "equal: " + std::to_string(report.compared) + " datasets and attributes\n";
+    std::string text = std::to_string(report.differing) + " of " + std::to_string(report.compared) +
+                       " datasets and attributes differ\n";
+    for (const std::string& path : report.only_in_a) text += "only in the first: " + report::printable(path) + "\n";
+    for (const std::string& path : report.only_in_b) text += "only in the second: " + report::printable(path) + "\n";
+    if (!report.first.path.empty()) text += "first:   " + difference_text(report.first);
+    if (!report.largest.path.empty()) text += "largest: " + difference_text(report.largest);
+    return text;
+}
+
+int run_compare(const FileFlags& flags, const Console& console) {
+    const pipeline::CompareReport report = pipeline::compare_files(flags.files[0], flags.files[1]);
+    console.result(flags.format == Format::json ? report::write_json(report::Described::of(report))
+                                                : compare_text(report));
+    return report.is_equal ? exit_ok : exit_difference;
+}
+
+using Run = int (*)(const FileFlags&, const Console&);
+
+CLI::App* add_verb(CLI::App& app, Session& session, const std::string& name, const std::string& help, Run run,
+                   const std::shared_ptr<FileFlags>& flags) {
+    CLI::App* verb = app.add_subcommand(name, help);
+    add_format_flag(*verb, flags->format);
+    verb->callback(
+        [flags, run, &session] { session.run = [flags, run, &session] { return run(*flags, session.console); }; });
+    return verb;
+}
+
+}
+
+void add_check(CLI::App& app, Session& session) {
+    const auto flags = std::make_shared<FileFlags>();
+    CLI::App* verb = add_verb(app, session, "check", "is a bundle whole, and is what it says true", run_check, flags);
+    verb->add_option("BUNDLE", flags->files, "bundles or work files")->required();
+    verb->footer(
+        "Exit code 7: a file is damaged or breaks a rule. Findings about quality are told and pass.\n"
+        "Example: crumple check car.hdf bike.hdf --format json");
+}
+
+void add_inspect(CLI::App& app, Session& session) {
+    const auto flags = std::make_shared<FileFlags>();
+    CLI::App* verb = add_verb(app, session, "inspect", "what a file holds and how it came to be", run_inspect, flags);
+    verb->add_option("FILE", flags->files, "a bundle or a work file")->required()->expected(1);
+    verb->add_flag("--datasets", flags->lists_datasets, "list every array");
+    verb->footer("Example: crumple inspect car.hdf --format json");
+}
+
+void add_compare(CLI::App& app, Session& session) {
+    const auto flags = std::make_shared<FileFlags>();
+    CLI::App* verb =
+        add_verb(app, session, "compare", "the first and the largest difference of two files", run_compare, flags);
+    verb->add_option("FILE", flags->files, "two bundles or work files")->required()->expected(2);
+    verb->footer("Exit code 0: they hold the same, 7: they do not.\nExample: crumple compare before.hdf after.hdf");
+}
+
+}

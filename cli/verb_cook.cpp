@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crumple cook
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <span>
+#include <thread>
+
+#include "cli/exit_codes.h"
+#include "cli/import_flags.h"
+#include "cli/output_flags.h"
+#include "cli/verbs.h"
+#include "pipeline/builtin_recipes.h"
+#include "pipeline/cook.h"
+#include "report/json_writer.h"
+#include "report/number_text.h"
+#include "report/text_view.h"
+#include "store/write_file.h"
+
+namespace crumple::cli {
+
+namespace {
+
+using pipeline::CookReport;
+using pipeline::CookRequest;
+using pipeline::Recipe;
+
+struct CookFlags {
+    std::string recipe;
+    std::shared_ptr<ImportFlags> import;
+    OutputFlags output;
+    std::vector<std::string> settings;
+    pipeline::Budget budget;
+    std::string report;
+    std::string depfile;
+    bool keeps_work = false;
+    bool is_dry_run = false;
+    bool checks_determinism = false;
+};
+
+Recipe load_recipe(const CookFlags& flags) {
+    const pipeline::RecipeText text = pipeline::load_recipe_text(flags.recipe);
+    Recipe recipe = pipeline::read_recipe(text.json, text.source);
+    for (const std::string& setting : flags.import->settings) pipeline::apply_setting(recipe, setting);
+    for (const std::string& setting : flags.settings) pipeline::apply_setting(recipe, setting);
+    return recipe;
+}
+
+CookRequest request_of(const CookFlags& flags) {
+    CookRequest request;
+    request.sources = sources_of(*flags.import);
+    request.output = flags.output.path;
+    request.contents = {flags.keeps_work, flags.output.layout};
+    request.jobs = thread_count(flags.output);
+    request.checks_determinism = flags.checks_determinism;
+    return request;
+}
+
+// Everything that can be known to be wrong before hours of work.
+void check_paths(const CookFlags& flags, const CookRequest& request) {
+    std::vector<std::string> inputs = paths_of(request.sources);
+    if (std::filesystem::exists(flags.recipe)) inputs.push_back(flags.recipe);
+    pipeline::check_output_path(request.output, inputs);
+    for (const std::string& path : {flags.report, flags.depfile}) {
+        if (path.empty()) continue;
+        inputs.push_back(request.output);
+        check_side_path(path, inputs);
+    }
+}
+
+std::string escaped(const std::string& path) {
+    std::string text;
+    for (const char c : path) {
+        if (c == ' ' || c == '#' || c == '\\') text += '\\';
+        if (c == '$') text += '$';
+        text += c;
+    }
+    return text;
+}
+
+// What make and ninja read to know when to cook again.
+void write_depfile(const CookFlags& flags, const CookRequest& request) {
+    if (flags.depfile.empty()) return;
+    std::string text = escaped(request.output) + ":";
+    for (const std::string& path : paths_of(request.sources)) text += " " + escaped(path);
+    if (std::filesystem::exists(flags.recipe)) text += " " + escaped(flags.recipe);
+    text += "\n";
+    store::write_file(flags.depfile, std::as_bytes(std::span(text)));
+}
+
+void put_report(const CookFlags& flags, const CookReport& report, const Console& console) {
+    const std::string json = report::write_json(report::Described::of(report));
+    if (!flags.report.empty()) store::write_file(flags.report, std::as_bytes(std::span(json)));
+    if (flags.output.format == Format::json) console.result(json);
+}
+
+std::string summary_text(const CookReport& report, const std::string& output, bool has_color) {
+    std::vector<std::vector<std::string>> rows{{"stage", "cpu s", "wall s", "peak MB", "findings"}};
+    std::vector<Finding> all;
+    for (const auto& stage : report.stages) {
+        const auto& usage = stage.usage;
+        rows.push_back({stage.name, report::number_text(usage.cpu_s), report::number_text(usage.wall_s),
+                        report::number_text(usage.peak_memory_mb), report::findings_summary(stage.findings)});
+        all.insert(all.end(), stage.findings.begin(), stage.findings.end());
+    }
+    rows.push_back({"all", report::number_text(report.usage.cpu_s), report::number_text(report.usage.wall_s),
+                    report::number_text(report.usage.peak_memory_mb), report::findings_summary(all)});
+    std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0});
+    if (report.determinism_jobs > 0) {
+        text += "cooked again with " + std::to_string(report.determinism_jobs) + " threads: the same bytes\n";
+    }
+    return text + report::printable(output) + ": " + report::size_text(report.output.bytes) +
+           (report.output.is_unchanged ? ", unchanged\n" : "\n");
+}
+
+int cook_now(const CookFlags& flags, const Recipe& recipe, CookRequest request, const Console& console,
+             const pipeline::Permission& may_finish) {
+    CookReport report;
+    report.recipe = flags.recipe;
+    request.may_finish = may_finish;
+    try {
+        pipeline::cook(recipe, request, report, console.observer());
+    } catch (const Error& error) {
+        report.error = error.what();
+        report.exit_code = exit_code_of(error.kind());
+        console.error(report.error);
+    } catch (const std::bad_alloc&) {
+        report.error = "out of memory";
+        report.exit_code = exit_code_of(ErrorKind::budget);
+        console.error(report.error);
+    }
+    put_report(flags, report, console);
+    if (report.exit_code != exit_ok) return report.exit_code;
+    write_depfile(flags, request);
+    console.talk(summary_text(report, request.output, console.colors_talk()));
+    return exit_ok;
+}
+
+int run_dry(const CookFlags& flags, const Recipe& recipe, const CookRequest& request, const Console& console) {
+    const pipeline::DryRunReport report = pipeline::dry_run(recipe, request);
+    if (flags.output.format == Format::json) {
+        console.result(report::write_json(report::Described::of(report)));
+        return exit_ok;
+    }
+    std::string text =
+        report::printable(request.output) + (report.would_change ? ": would be cooked\n" : ": up to date\n");
+    for (const std::string& reason : report.reasons) text += "  " + report::printable(reason) + "\n";
+    console.result(text);
+    return exit_ok;
+}
+
+int run_cook(const CookFlags& flags, const Console& console) {
+    const Recipe recipe = load_recipe(flags);
+    const CookRequest request = request_of(flags);
+    check_paths(flags, request);
+    if (flags.is_dry_run) return run_dry(flags, recipe, request, console);
+    try {
+        return pipeline::run_within(flags.budget, [&](const pipeline::Permission& may_finish) {
+            return cook_now(flags, recipe, request, console, may_finish);
+        });
+    } catch (const Error& error) {
+        // The cook's own process is gone: say what is left to say for it.
+        CookReport report;
+        report.recipe = flags.recipe;
+        report.error = error.what();
+        report.exit_code = exit_code_of(error.kind());
+        put_report(flags, report, console);
+        throw;
+    }
+}
+
+}
+
+void add_cook(CLI::App& app, Session& session) {
+    CLI::App* verb = app.add_subcommand("cook", "from a painted shell and its visual meshes to a checked bundle");
+    const auto flags = std::make_shared<CookFlags>();
+    verb->add_option("RECIPE", flags->recipe, "name (car_body, soft_body, preview, smoke) or path of a recipe")
+        ->required();
+    flags->import = add_import_flags(*verb);
+    add_output_flags(*verb, flags->output);
+    verb->add_option("--set", flags->settings, "change the recipe, for example relax.sweeps=5; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+    verb->add_flag("--keep-work", flags->keeps_work, "leave what the stages made in the file");
+    verb->add_option("--report", flags->report, "write figures and findings as JSON")->type_name("FILE");
+    verb->add_option("--depfile", flags->depfile, "write what the output depends on, for make and ninja")
+        ->type_name("FILE");
+    verb->add_flag("--dry-run", flags->is_dry_run, "say what would be cooked and why, and write nothing");
+    verb->add_flag("--check-determinism", flags->checks_determinism, "cook twice at different --jobs, compare");
+    verb->add_option("--timeout", flags->budget.time_s, "seconds the cook may take")->check(CLI::PositiveNumber);
+    verb->add_option("--max-memory", flags->budget.memory_mb, "megabytes it may hold")->check(CLI::PositiveNumber);
+    add_progress_flag(*verb, session.console);
+    verb->footer(
+        "Example: crumple cook car_body --shell car.glb --visual body=car_detail.glb -o car.hdf --report car.json");
+    verb->callback(
+        [flags, &session] { session.run = [flags, &session] { return run_cook(*flags, session.console); }; });
+}
+
+}

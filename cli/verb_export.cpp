@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// crumple export
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <span>
+
+#include "cli/exit_codes.h"
+#include "cli/output_flags.h"
+#include "cli/verbs.h"
+#include "pipeline/export_mesh.h"
+#include "pipeline/in_child.h"
+#include "pipeline/work_file.h"
+#include "report/number_text.h"
+#include "report/text_view.h"
+#include "store/read_file.h"
+#include "store/write_file.h"
+
+namespace crumple::cli {
+
+namespace {
+
+using pipeline::ExportFormat;
+
+struct ExportFlags {
+    std::string input;
+    std::string output;  // format by extension
+    std::string vtu;
+    std::string msh;
+    std::string obj;
+};
+
+struct Target {
+    std::string path;
+    ExportFormat format;
+};
+
+ExportFormat format_of(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    for (const auto& entry : pipeline::export_format_names) {
+        if (extension == "." + std::string(entry.name)) return entry.value;
+    }
+    throw Error(ErrorKind::usage, path + ": the name must end in .vtu, .msh or .obj, or say --vtu, --msh or --obj");
+}
+
+std::vector<Target> targets_of(const ExportFlags& flags) {
+    std::vector<Target> targets;
+    if (!flags.output.empty()) targets.push_back({flags.output, format_of(flags.output)});
+    if (!flags.vtu.empty()) targets.push_back({flags.vtu, ExportFormat::vtu});
+    if (!flags.msh.empty()) targets.push_back({flags.msh, ExportFormat::msh});
+    if (!flags.obj.empty()) targets.push_back({flags.obj, ExportFormat::obj});
+    if (targets.empty())
+        throw Error(ErrorKind::usage, "export: say where to: -o FILE, --vtu FILE, --msh FILE or --obj FILE");
+    return targets;
+}
+
+int run_export(const ExportFlags& flags, const Console& console) {
+    const std::vector<Target> targets = targets_of(flags);
+    for (const Target& target : targets) check_side_path(target.path, {flags.input});
+    const std::vector<std::byte> image = store::read_file(flags.input);
+    for (const Target& target : targets) {
+        const std::string text = pipeline::run_text_in_child(
+            [&] {
+                return pipeline::write_mesh(pipeline::export_mesh(pipeline::read_work_image(image, flags.input)),
+                                            target.format);
+            },
+            flags.input);
+        store::write_file(target.path, std::as_bytes(std::span(text)));
+        console.talk(report::printable(target.path) + ": " + report::size_text(text.size()) + "\n");
+    }
+    return exit_ok;
+}
+
+}
+
+void add_export(CLI::App& app, Session& session) {
+    CLI::App* verb = app.add_subcommand("export", "the tets for other programs: VTU, gmsh, OBJ");
+    const auto flags = std::make_shared<ExportFlags>();
+    verb->add_option("FILE", flags->input, "a bundle or a work file")->required();
+    verb->add_option("-o,--output", flags->output, "format by extension: .vtu .msh .obj")->type_name("FILE");
+    verb->add_option("--vtu", flags->vtu, "VTK unstructured grid with every array, for ParaView")->type_name("FILE");
+    verb->add_option("--msh", flags->msh, "gmsh 2.2, regions as physical groups")->type_name("FILE");
+    verb->add_option("--obj", flags->obj, "the boundary, locks as vertex colours (red 0 is locked)")->type_name("FILE");
+    verb->footer("Example: crumple export car.hdf --vtu car.vtu --obj car_boundary.obj");
+    verb->callback(
+        [flags, &session] { session.run = [flags, &session] { return run_export(*flags, session.console); }; });
+}
+
+}

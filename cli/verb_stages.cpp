@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each stage as a verb: one entry of the recipe, run on a work file.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "cli/exit_codes.h"
+#include "cli/import_flags.h"
+#include "cli/output_flags.h"
+#include "cli/stage_flags.h"
+#include "cli/verbs.h"
+#include "pipeline/builtin_recipes.h"
+#include "pipeline/input_digests.h"
+#include "pipeline/points_file.h"
+#include "pipeline/runner.h"
+#include "pipeline/work_file.h"
+#include "report/json_writer.h"
+#include "report/number_text.h"
+#include "report/text_view.h"
+
+namespace crumple::cli {
+
+namespace {
+
+using pipeline::Recipe;
+using pipeline::Stage;
+using pipeline::Workspace;
+
+struct StageFlags {
+    std::string input;                    // a work file, or points
+    std::shared_ptr<ImportFlags> import;  // of the first stage only
+    OutputFlags output;
+    std::string recipe;
+    std::vector<std::string> settings;       // --set
+    std::vector<std::string> flag_settings;  // --sweeps and the like
+};
+
+Recipe recipe_of(const Stage& stage, const StageFlags& flags) {
+    Recipe recipe = pipeline::default_recipe();
+    if (!flags.recipe.empty()) {
+        const pipeline::RecipeText text = pipeline::load_recipe_text(flags.recipe);
+        recipe = pipeline::read_recipe(text.json, text.source);
+    }
+    if (flags.import) {
+        for (const std::string& setting : flags.import->settings) pipeline::apply_setting(recipe, setting);
+    }
+    for (const std::string& setting : flags.flag_settings) pipeline::apply_setting(recipe, setting);
+    for (const std::string& setting : flags.settings) pipeline::apply_setting(recipe, with_stage(stage.name, setting));
+    return recipe;
+}
+
+std::vector<std::string> inputs_of(const StageFlags& flags) {
+    return flags.import ? paths_of(sources_of(*flags.import)) : std::vector<std::string>{flags.input};
+}
+
+Workspace load_input(const Stage& stage, const StageFlags& flags) {
+    Workspace work;
+    if (flags.import) {
+        work.sources = sources_of(*flags.import);
+        return work;
+    }
+    const bool reads_points = stage.reads == std::vector{pipeline::Group::points};
+    if (!reads_points || !pipeline::is_points_file(flags.input)) return pipeline::read_work_file(flags.input);
+    work.points = pipeline::read_points_file(flags.input);
+    work.input_digests.push_back(pipeline::digest_input("points", flags.input));
+    return work;
+}
+
+int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& console) {
+    const Recipe recipe = recipe_of(stage, flags);
+    pipeline::check_output_path(flags.output.path, inputs_of(flags));
+    Workspace work = load_input(stage, flags);
+    const auto& params = recipe.params[pipeline::stage_index(stage.name)];
+    const pipeline::StageRun run =
+        pipeline::run_stage(stage, params, work, thread_count(flags.output), console.observer());
+    const bool is_changed =
+        pipeline::write_if_changed(flags.output.path, pipeline::work_image(work, {true, flags.output.layout}));
+    if (flags.output.format == Format::json) console.result(report::write_json(report::Described::of(run)));
+    console.talk(report::findings_text(run.findings, {console.colors_talk(), 0}));
+    console.talk(report::printable(flags.output.path) + ": " + std::string(stage.name) + " in " +
+                 report::number_text(run.usage.wall_s) + " s, " + report::findings_summary(run.findings) +
+                 (is_changed ? "\n" : ", unchanged\n"));
+    return exit_ok;
+}
+
+std::string example_of(const Stage& stage) {
+    const std::string name(stage.name);
+    if (stage.reads.empty()) return "Example: crumple " + name + " --shell car.glb --visual car_detail.glb -o work.hdf";
+    return "Example: crumple " + name + " work.hdf -o next.hdf";
+}
+
+void add_stage(CLI::App& app, const Stage& stage, Session& session) {
+    CLI::App* verb =
+        app.add_subcommand(std::string(stage.name), std::string(stage.help))->group("Stages, one at a time");
+    const auto flags = std::make_shared<StageFlags>();
+    const bool reads_points = stage.reads == std::vector{pipeline::Group::points};
+    if (stage.reads.empty()) {
+        flags->import = add_import_flags(*verb);
+    } else {
+        verb->add_option("INPUT", flags->input,
+                         reads_points ? "a work file, or points: xyz txt pts csv tsv obj node" : "a work file")
+            ->required();
+    }
+    add_output_flags(*verb, flags->output);
+    verb->add_option("--recipe", flags->recipe, "take the parameters from a recipe");
+    verb->add_option("--set", flags->settings, "set any parameter of the stage; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+    add_stage_flags(*verb, stage, flags->flag_settings);
+    add_progress_flag(*verb, session.console);
+    verb->footer(example_of(stage));
+    verb->callback([&stage, flags, &session] {
+        session.run = [&stage, flags, &session] { return run_stage_verb(stage, *flags, session.console); };
+    });
+}
+
+}
+
+void add_stages(CLI::App& app, Session& session) {
+    for (const Stage& stage : pipeline::stage_table()) add_stage(app, stage, session);
+}
+
+}

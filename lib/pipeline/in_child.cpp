@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/in_child.h"
+
+#include <span>
+
+#include "sandbox/sandbox.h"
+
+namespace crumple::pipeline {
+
+namespace {
+
+std::vector<std::byte> bytes_of(const std::string& text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+}
+
+std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name) {
+    using sandbox::Ending;
+    const auto outcome = sandbox::run_in_child([&] { return bytes_of(work()); }, {});
+    if (outcome.ending == Ending::ok)
+        return {reinterpret_cast<const char*>(outcome.answer.data()), outcome.answer.size()};
+    if (outcome.ending != Ending::refused) throw Error(ErrorKind::difference, name + ": damaged: " + outcome.message);
+    const auto kind = static_cast<ErrorKind>(outcome.error_kind);
+    throw Error(kind == ErrorKind::file ? kind : ErrorKind::difference, outcome.message);
+}
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "core/error.h"
+#include "pipeline/builtin_recipes.h"
+#include "report/names.h"
+#include "store/read_file.h"
+
+namespace crumple::pipeline {
+
+RecipeText load_recipe_text(const std::string& name_or_path) {
+    if (name_or_path.ends_with(".json") || name_or_path.find('/') != std::string::npos) {
+        const std::vector<std::byte> bytes = store::read_file(name_or_path);
+        return {name_or_path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
+    }
+    std::vector<std::string> names;
+    for (const BuiltinRecipe& recipe : builtin_recipes()) {
+        if (recipe.name == name_or_path) return {name_or_path, std::string(recipe.json)};
+        names.emplace_back(recipe.name);
+    }
+    throw Error(ErrorKind::usage,
+                "no recipe '" + name_or_path + "'; nearest: '" + report::nearest_name(name_or_path, names) +
+                    "' (there are: " + report::list_names(names) + "; or give the path of a .json file)");
+}
+
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/work_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "geometry/predicates.h"
+#include "pipeline/cook_record.h"
+#include "pipeline/work_parts.h"
+#include "sandbox/sandbox.h"
+#include "store/bundle_file.h"
+#include "store/read_file.h"
+#include "store/write_file.h"
+
+namespace crumple::pipeline {
+
+namespace {
+
+// The view that ParaView opens, for a file that has tets and no bundle yet: a bundle writes its own.
+void write_view(store::FileWriter& file, const TetMesh& mesh) {
+    std::vector<std::int64_t> connectivity;
+    connectivity.reserve(4 * mesh.tets.size());
+    std::vector<std::int64_t> offsets{0};
+    for (const Tet& tet : mesh.tets) {
+        connectivity.insert(connectivity.end(), tet.begin(), tet.end());
+        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    }
+    constexpr std::uint8_t vtk_tetra = 10;
+    file.make_group("/VTKHDF");
+    file.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
+    file.set_attribute("/VTKHDF", "Type", "UnstructuredGrid");
+    file.write_value("/VTKHDF/NumberOfPoints", static_cast<std::int64_t>(mesh.positions.size()));
+    file.write_value("/VTKHDF/NumberOfCells", static_cast<std::int64_t>(mesh.tets.size()));
+    file.write_value("/VTKHDF/NumberOfConnectivityIds", static_cast<std::int64_t>(connectivity.size()));
+    file.link("/VTKHDF/Points", "/tets/positions");
+    file.write("/VTKHDF/Connectivity", connectivity);
+    file.write("/VTKHDF/Offsets", offsets);
+    file.write("/VTKHDF/Types", std::vector<std::uint8_t>(mesh.tets.size(), vtk_tetra));
+    file.make_group("/VTKHDF/PointData");
+    file.make_group("/VTKHDF/CellData");
+    if (!mesh.region.empty()) file.link("/VTKHDF/CellData/region", "/tets/region");
+}
+
+// Sizes and indices between the parts.
+void check_parts(const Workspace& work, const store::FileReader& file) {
+    if (work.tets && work.asset) {
+        if (work.tets->shell_vertex_count != work.asset->shell.positions.size())
+            file.refuse("/tets", "does not fit the shell");
+        for (const Index region : work.tets->region) {
+            if (region >= work.asset->shell.components.size()) file.refuse("/tets/region", "an index is out of range");
+        }
+    }
+    if (!work.bindings) return;
+    if (!work.tets || !work.asset) file.refuse("/bindings", "there are no tets to bind to");
+    if (work.bindings->size() != work.asset->visuals.size()) file.refuse("/bindings", "does not fit the visual meshes");
+    for (std::size_t i = 0; i < work.bindings->size(); ++i) {
+        const VisualBinding& binding = (*work.bindings)[i];
+        if (binding.tet.size() != work.asset->visuals[i].positions.size())
+            file.refuse("/bindings", "does not fit the visual meshes");
+        for (const Index tet : binding.tet) {
+            if (tet >= work.tets->tets.size()) file.refuse("/bindings", "an index is out of range");
+        }
+    }
+}
+
+}
+
+std::vector<std::byte> work_image(const Workspace& work, const FileContents& contents) {
+    store::FileWriter file(contents.layout);
+    if (contents.has_work) {
+        if (work.asset) write_asset(file, *work.asset);
+        if (work.points) write_points(file, *work.points);
+        if (work.tets) write_tets(file, *work.tets);
+        if (work.bindings) write_bindings(file, *work.bindings);
+        if (work.tets && !work.bundle) write_view(file, *work.tets);
+    }
+    if (work.bundle) store::write_bundle(file, *work.bundle);
+    file.write_text("/cook/record", cook_record_json(work));
+    return file.finish();
+}
+
+Workspace read_work_image(std::vector<std::byte> image, const std::string& name) {
+    const store::FileReader file(std::move(image), name);
+    Workspace work;
+    if (file.has("/asset")) work.asset = read_asset(file);
+    if (file.has("/points")) work.points = read_points(file);
+    if (file.has("/tets")) work.tets = read_tets(file);
+    if (file.has("/bindings")) work.bindings = read_bindings(file);
+    if (file.has("/bundle")) work.bundle = store::read_bundle(file);
+    check_parts(work, file);
+    if (file.has("/cook/record")) read_cook_record(file.read_text("/cook/record"), name, work);
+    return work;
+}
+
+Workspace read_work_file(const std::string& path) {
+    std::vector<std::byte> image = store::read_file(path);
+    const auto outcome = sandbox::run_in_child(
+        [&] {
+            (void)read_work_image(image, path);
+            return std::vector<std::byte>();
+        },
+        {});
+    if (outcome.ending == sandbox::Ending::ok) return read_work_image(std::move(image), path);
+    const auto kind =
+        outcome.ending == sandbox::Ending::refused ? static_cast<ErrorKind>(outcome.error_kind) : ErrorKind::bad_input;
+    throw Error(kind,
+                outcome.ending == sandbox::Ending::refused ? outcome.message : path + ": damaged: " + outcome.message);
+}
+
+void check_output_path(const std::string& path, const std::vector<std::string>& inputs) {
+    if (std::filesystem::path(path).extension() != ".hdf") {
+        throw Error(ErrorKind::usage, path + ": the output's name must end in .hdf (ParaView opens no other)");
+    }
+    store::check_can_write(path);
+    for (const std::string& input : inputs) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(path, input, ignored)) {
+            throw Error(ErrorKind::usage, path + ": the output would replace an input");
+        }
+    }
+}
+
+bool write_if_changed(const std::string& path, const std::vector<std::byte>& image) {
+    std::error_code ignored;
+    if (std::filesystem::file_size(path, ignored) == image.size() && !ignored) {
+        const std::vector<std::byte> old = store::read_file(path);
+        if (std::equal(old.begin(), old.end(), image.begin(), image.end())) return false;
+    }
+    store::write_file(path, image);
+    return true;
+}
+
+}
