@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel_for.h"
 #include "core/random.h"
@@ -12,38 +13,21 @@ namespace crumple::sample {
 namespace {
 
 constexpr std::uint64_t candidate_stream = 0;
-constexpr std::uint64_t blocks_a_draw = 2;  // of four random numbers
+// A point on the surface lies on neither side of it, whatever clearance was asked for.
+constexpr double least_clearance = 1e-3;
+constexpr std::uint64_t blocks_a_draw = 1;  // of four random numbers
 
 double cube(double x) { return x * x * x; }
 
-// The wanted density where h is `size`, and its bound within a cell.
-class Target {
-public:
-    explicit Target(const Drawing& drawing) : drawing_(drawing), is_painted_(&drawing.field != &drawing.plain) {}
-
-    [[nodiscard]] double at(Vec3 p, double size) const {
-        if (drawing_.density == Density::by_size) return cube(1 / size);
-        return is_painted_ ? cube(drawing_.plain.at(p) / size) : 1;
-    }
-    [[nodiscard]] double bound(const Cell& cell) const {
-        // Cells are at most half of h in radius, so their least size is at least 0.85 h.
-        if (drawing_.density == Density::by_size) return cube(1 / cell.least_size());
-        if (!is_painted_) return 1;
-        return cube((drawing_.plain.at(cell.centre) + size_growth * cell.radius()) / cell.least_size());
-    }
-
-private:
-    const Drawing& drawing_;
-    bool is_painted_;
-};
-
+// Draws places: a cell in proportion to its volume times the density wanted there, then any place in it. Within a cell
+// h hardly changes.
 class Source {
 public:
-    explicit Source(const Drawing& drawing) : drawing_(drawing), target_(drawing) {
+    explicit Source(const Drawing& drawing)
+        : drawing_(drawing), clearance_(std::max(drawing.clearance, least_clearance)) {
         double sum = 0;
         for (const Cell& cell : drawing.cells) {
-            bounds_.push_back(target_.bound(cell));
-            sum += bounds_.back() * cell.volume();
+            sum += cell.volume() * density_in(cell);
             up_to_.push_back(sum);
         }
     }
@@ -52,56 +36,61 @@ public:
     [[nodiscard]] bool draw(std::uint64_t number, Candidate& candidate) const;
 
 private:
-    [[nodiscard]] std::size_t pick_cell(double unit) const {
-        const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), unit * up_to_.back());
-        return std::min<std::size_t>(static_cast<std::size_t>(found - up_to_.begin()), up_to_.size() - 1);
+    [[nodiscard]] double density_in(const Cell& cell) const {
+        if (drawing_.density == Density::by_size) return cube(1 / cell.size);
+        return cube(1 / drawing_.space.factor_of(cell.sized_by));
     }
-    [[nodiscard]] bool is_allowed(const Cell& cell, const Candidate& candidate) const;
-    [[nodiscard]] double vertex_gap(const Cell& cell, const Candidate& candidate) const;
+    [[nodiscard]] const Cell& pick_cell(double unit) const {
+        const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), unit * up_to_.back());
+        return drawing_
+            .cells[std::min<std::size_t>(static_cast<std::size_t>(found - up_to_.begin()), up_to_.size() - 1)];
+    }
+    [[nodiscard]] bool is_allowed(const Cell& cell, Vec3 p, double away) const;
+    [[nodiscard]] double vertex_gap(const Cell& cell, const Candidate& candidate, double away) const;
 
     const Drawing& drawing_;
-    Target target_;
-    std::vector<double> bounds_;  // of the density in each cell
-    std::vector<double> up_to_;   // sums of bound * volume over the cells so far
+    double clearance_;
+    std::vector<double> up_to_;  // sums of volume * density over the cells so far
 };
 
-// Rounding may carry a point over the cell's border: far from the origin even a long way.
-bool is_within(const Cell& cell, Vec3 p) {
-    const Vec3 off = p - cell.centre;
-    return std::fmax(std::fabs(off.x), std::fmax(std::fabs(off.y), std::fabs(off.z))) <= cell.half;
+// Far enough from the shell, and fillable. Most places are settled by what is known of the cell's centre, `away` from
+// p: the distance to the shell changes no faster than the place, h no faster than 0.3 of that.
+bool Source::is_allowed(const Cell& cell, Vec3 p, double away) const {
+    if (cell.distance + away < clearance_ * cell.least_size(away)) return false;
+    if (cell.filling == Filling::other && drawing_.space.is_watertight() &&
+        away - cell.distance < clearance_ * cell.least_size(away)) {
+        return false;
+    }
+    double distance = cell.distance - away;
+    if (distance < clearance_ * cell.largest_size(away)) {
+        const double wanted = clearance_ * size_at(drawing_.space, cell, p);
+        distance = distance_at(drawing_.space, cell, p);
+        if (distance < wanted) return false;
+    }
+    const Filling filling = filling_near(drawing_.space, cell, away, distance);
+    return filling == Filling::unknown ? drawing_.space.is_fillable(p) : filling == Filling::fillable;
 }
 
-bool Source::is_allowed(const Cell& cell, const Candidate& candidate) const {
-    const bool is_known = is_within(cell, candidate.position);
-    if (is_known && cell.is_clear) return true;
-    const double wanted = drawing_.clearance * candidate.size;
-    // A point on the surface belongs to no side, whatever the clearance.
-    const double distance = drawing_.space.distance_to_surface(candidate.position, 2 * candidate.size);
-    if (distance < wanted || distance <= 0) return false;
-    return (is_known && cell.is_one_material) || drawing_.space.is_fillable(candidate.position);
-}
-
-double Source::vertex_gap(const Cell& cell, const Candidate& candidate) const {
-    const double farthest = max_vertex_gap * candidate.size;
-    const double at_least = cell.distance - length(candidate.position - cell.centre);
-    if (at_least >= farthest) return max_vertex_gap;
-    return drawing_.space.distance_to_vertex(candidate.position, farthest) / candidate.size;
+double Source::vertex_gap(const Cell& cell, const Candidate& candidate, double away) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double farthest = drawing_.vertex_gap * candidate.size;
+    if (drawing_.vertex_gap <= clearance_ || cell.distance - away >= farthest) return infinity;
+    const double gap = drawing_.space.distance_to_vertex(candidate.position, farthest);
+    return gap < farthest ? gap / candidate.size : infinity;
 }
 
 bool Source::draw(std::uint64_t number, Candidate& candidate) const {
     Rng random(drawing_.seed, candidate_stream);
     random.seek(number * blocks_a_draw);
-    const std::size_t chosen = pick_cell(random.next_unit());
-    const Cell& cell = drawing_.cells[chosen];
+    const Cell& cell = pick_cell(random.next_unit());
     Vec3 in_cell;
     for (int axis = 0; axis < 3; ++axis) in_cell[axis] = (2 * random.next_unit() - 1) * cell.half;
-    const double lot = random.next_unit();
 
     candidate.position = round_to_float(cell.centre + in_cell);
-    candidate.size = drawing_.field.at(candidate.position);
-    if (lot * bounds_[chosen] > target_.at(candidate.position, candidate.size)) return false;
-    if (!is_allowed(cell, candidate)) return false;
-    candidate.vertex_gap = vertex_gap(cell, candidate);
+    const double away = length(candidate.position - cell.centre) * 1.000001;
+    if (!cell.is_clear && !is_allowed(cell, candidate.position, away)) return false;
+    candidate.size = size_at(drawing_.space, cell, candidate.position);
+    candidate.vertex_gap = vertex_gap(cell, candidate, away);
     return true;
 }
 

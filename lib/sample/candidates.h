@@ -14,23 +14,21 @@ namespace crumple::sample {
 struct Candidate {
     Vec3 position;          // rounded to float, fillable, far enough from the shell
     double size = 0;        // h there
-    double vertex_gap = 0;  // distance to the nearest shell vertex in h; max_vertex_gap stands for any longer one
+    double vertex_gap = 0;  // distance to the nearest shell vertex in h, infinity beyond Drawing::vertex_gap
 };
-inline constexpr double max_vertex_gap = 2;
 
 // How many points per volume are wanted, up to a factor.
 enum class Density {
     by_size,  // 1 / h^3
-    even,     // the same everywhere, or as painted: (plain h / painted h)^3
+    even,     // the same everywhere, or as painted: 1 / (factor of h)^3
 };
 
 struct Drawing {
     const Space& space;
-    const SizingField& field;  // h, painted where that is asked for
-    const SizingField& plain;  // h without paint; the same object as field when there is none
     const std::vector<Cell>& cells;
     Density density = Density::by_size;
-    double clearance = 0;  // of points from the shell, in h
+    double clearance = 0;   // of points from the shell, in h
+    double vertex_gap = 0;  // up to which the distance to the nearest shell vertex is of interest, in h
     std::uint64_t seed = 0;
 };
 

@@ -2,7 +2,9 @@
 #include "sample/cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel_for.h"
 
@@ -10,115 +12,201 @@ namespace crumple::sample {
 
 namespace {
 
-// A cell is split until its edge is below this share of h where the shell is near, or its radius below half of h where
-// not.
+// A cell is split until its edge is below this share of h where the shell is near, or its reach below that where not.
 constexpr double near_edge = 0.5;
-constexpr double far_radius = 0.5;
+constexpr double far_reach = 0.7;
 // A shell with far too small edges somewhere gets coarser cells instead of taking all memory.
-constexpr std::size_t max_cells = 2'000'000;
+constexpr std::size_t max_cells = 1'000'000;
+constexpr std::size_t max_listed = 50'000'000;  // vertices and triangles in the cells' lists together
 constexpr int max_depth = 20;
+// Bounds derived from other places get a little slack, to keep rounding out of them.
+constexpr double slack = 1.000001;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 enum class Fate { dropped, kept, split };
 
-struct Trial {
-    Cell cell;
-    Fate fate = Fate::dropped;
+struct Family {
+    std::array<Cell, 8> cells;
+    std::array<Fate, 8> fates;
 };
 
 class Refinement {
 public:
-    Refinement(const Space& space, const SizingField& field, double clearance)
-        : space_(space), field_(field), clearance_(clearance) {}
+    Refinement(const Space& space, double clearance)
+        : space_(space),
+          least_clearance_(std::min(clearance, counted_clearance)),
+          largest_clearance_(std::max(clearance, counted_clearance)) {}
 
-    [[nodiscard]] Cell root() const {
-        const Vec3 size = space_.box().high - space_.box().low;
-        Cell cell;
-        cell.centre = (space_.box().low + space_.box().high) * 0.5;
-        cell.half = std::max({size.x, size.y, size.z}) * 0.5;
-        measure(cell, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
-        return cell;
-    }
-
-    [[nodiscard]] Fate judge(Cell& cell, bool may_split) const;
-    [[nodiscard]] Cell child_of(const Cell& parent, int octant) const;
+    [[nodiscard]] Cell root() const;
+    [[nodiscard]] Family children_of(const Cell& parent, bool may_split) const;
 
 private:
-    void measure(Cell& cell, double size_at_most, double distance_at_most) const {
-        cell.size = field_.at(cell.centre, size_at_most);
-        cell.distance = space_.distance_to_surface(cell.centre, distance_at_most);
+    // Measured at a centre for each of the parent's vertices or triangles, in their order.
+    using Values = std::vector<double>;
+
+    void place(Cell& cell, Vec3 centre, double half) const;
+    void measure(Cell& cell, const Cell& parent, Values& sizes, Values& distances_2) const;
+    static void keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2);
+    [[nodiscard]] Fate judge(Cell& cell, bool may_split) const;
+    [[nodiscard]] double estimate_share(const Cell& cell) const;
+    void ask_filling(Cell& cell) const {
+        if (cell.filling != Filling::unknown) return;
+        cell.filling = space_.is_fillable(cell.centre) ? Filling::fillable : Filling::other;
     }
-    void estimate_share(Cell& cell) const;
 
     const Space& space_;
-    const SizingField& field_;
-    double clearance_;
+    double least_clearance_;
+    double largest_clearance_;
 };
 
-Cell Refinement::child_of(const Cell& parent, int octant) const {
+void Refinement::place(Cell& cell, Vec3 centre, double half) const {
+    cell.centre = centre;
+    cell.half = half;
+    cell.reach = half * 1.7320508075688774 + space_.rounding();
+}
+
+Cell Refinement::root() const {
+    const Vec3 size = space_.box().high - space_.box().low;
+    Cell everything;
+    everything.vertices = space_.sized_vertices();
+    everything.triangles = space_.triangles();
     Cell cell;
-    cell.half = parent.half / 2;
-    const auto side = [&](int bit) { return octant & bit ? cell.half : -cell.half; };
-    cell.centre = parent.centre + Vec3{side(1), side(2), side(4)};
-    cell.is_one_material = parent.is_one_material;
-    // What holds at the parent's centre bounds the child's from above; a little slack keeps rounding out of it.
-    const double between = cell.radius() * 1.000001;
-    measure(cell, (parent.size + size_growth * between) * 1.000001, (parent.distance + between) * 1.000001);
+    place(cell, (space_.box().low + space_.box().high) * 0.5, std::max({size.x, size.y, size.z}) * 0.5);
+    Values sizes;
+    Values distances_2;
+    measure(cell, everything, sizes, distances_2);
+    ask_filling(cell);
+    cell.vertices = everything.vertices;
+    cell.triangles = everything.triangles;
     return cell;
 }
 
-// Linear across the band in which the cell passes from too near to far enough.
-void Refinement::estimate_share(Cell& cell) const {
+void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& distances_2) const {
+    sizes.clear();
+    cell.size = infinity;
+    for (const Index v : parent.vertices) {
+        sizes.push_back(space_.size_from(v, cell.centre));
+        if (sizes.back() < cell.size) {
+            cell.size = sizes.back();
+            cell.sized_by = v;
+        }
+    }
+    distances_2.clear();
+    cell.nearest = parent.nearest;
+    double nearest_2 = parent.nearest == none ? infinity : space_.face(parent.nearest).distance_2(cell.centre);
+    // Beyond this a triangle is not the nearest one and does not stay in the list either.
+    double farthest = (std::sqrt(nearest_2) + 2 * cell.reach) * slack;
+    for (const Index t : parent.triangles) {
+        const bool is_far = space_.face(t).is_surely_farther(cell.centre, farthest);
+        distances_2.push_back(is_far ? infinity : space_.face(t).distance_2(cell.centre));
+        if (distances_2.back() >= nearest_2) continue;
+        nearest_2 = distances_2.back();
+        cell.nearest = t;
+        farthest = (std::sqrt(nearest_2) + 2 * cell.reach) * slack;
+    }
+    cell.distance = std::sqrt(nearest_2);
+}
+
+// Going `reach` away lets one vertex's term shrink and another's grow by 0.3 reach each, and likewise the distances.
+void Refinement::keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2) {
+    const double largest_size = (cell.size + 2 * size_growth * cell.reach) * slack;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] <= largest_size) cell.vertices.push_back(parent.vertices[i]);
+    }
+    if (cell.is_clear) return;
+    const double farthest = (cell.distance + 2 * cell.reach) * slack;
+    for (std::size_t i = 0; i < distances_2.size(); ++i) {
+        if (distances_2[i] <= farthest * farthest) cell.triangles.push_back(parent.triangles[i]);
+    }
+}
+
+// Linear across the band in which a cell passes from too near to far enough.
+double Refinement::estimate_share(const Cell& cell) const {
+    if (cell.is_clear) return 1;
+    if (cell.filling == Filling::other) return 0;
     const double beyond = cell.distance - counted_clearance * cell.size;
-    cell.share = cell.is_clear ? 1 : std::clamp(beyond / (2 * cell.half) + 0.5, 0.0, 1.0);
-    if (!cell.is_one_material && cell.share > 0 && !space_.is_fillable(cell.centre)) cell.share = 0;
+    return std::clamp(beyond / (2 * cell.half) + 0.5, 0.0, 1.0);
 }
 
 Fate Refinement::judge(Cell& cell, bool may_split) const {
-    const double radius = cell.radius();
-    if (cell.distance + radius < std::min(clearance_, counted_clearance) * cell.least_size()) return Fate::dropped;
-    if (!cell.is_one_material && space_.is_watertight() && cell.distance > radius) {
-        if (!space_.is_fillable(cell.centre)) return Fate::dropped;
-        cell.is_one_material = true;
+    const double least_gap = least_clearance_ * cell.least_size(cell.reach);
+    if (cell.distance + cell.reach < least_gap) return Fate::dropped;
+    // Seen from a centre of other filling, a place of the wanted one lies behind the shell. Asking is dear: only where
+    // it tells.
+    if (space_.is_watertight() && cell.reach - cell.distance < least_gap) {
+        ask_filling(cell);
+        if (cell.filling == Filling::other) return Fate::dropped;
     }
-    const double largest_size = cell.size + size_growth * radius;
-    cell.is_clear =
-        cell.is_one_material && cell.distance - radius > std::max(clearance_, counted_clearance) * largest_size;
-    const bool is_fine = cell.is_clear ? radius <= far_radius * cell.size : 2 * cell.half <= near_edge * cell.size;
+    const bool is_fillable = space_.is_watertight() && cell.filling == Filling::fillable;
+    const bool is_far = cell.distance - cell.reach > largest_clearance_ * cell.largest_size(cell.reach);
+    const bool is_fine =
+        is_fillable && is_far ? cell.reach <= far_reach * cell.size : 2 * cell.half <= near_edge * cell.size;
     if (!is_fine && may_split) return Fate::split;
-    estimate_share(cell);
+    ask_filling(cell);
+    cell.is_clear = is_fillable && is_far;
+    cell.share = estimate_share(cell);
     return Fate::kept;
 }
 
-std::vector<Trial> children_of(const std::vector<Cell>& parents, const Refinement& refinement, bool may_split,
-                               const Context& context) {
-    std::vector<Trial> trials(parents.size() * 8);
-    parallel_for(context, trials.size(), 256, [&](std::size_t begin, std::size_t end) {
-        context.stop_if_cancelled();
-        for (std::size_t i = begin; i < end; ++i) {
-            trials[i].cell = refinement.child_of(parents[i / 8], static_cast<int>(i % 8));
-            trials[i].fate = refinement.judge(trials[i].cell, may_split);
+Family Refinement::children_of(const Cell& parent, bool may_split) const {
+    Family family;
+    Values sizes;
+    Values distances_2;
+    for (int octant = 0; octant < 8; ++octant) {
+        Cell& cell = family.cells[octant];
+        const double half = parent.half / 2;
+        const auto side = [&](int bit) { return octant & bit ? half : -half; };
+        place(cell, parent.centre + Vec3{side(1), side(2), side(4)}, half);
+        measure(cell, parent, sizes, distances_2);
+        cell.filling = filling_near(space_, parent, length(cell.centre - parent.centre) * slack, cell.distance);
+        for (int elder = 0; elder < octant && cell.filling == Filling::unknown; ++elder) {
+            const Cell& other = family.cells[elder];
+            cell.filling = filling_near(space_, other, length(cell.centre - other.centre) * slack, cell.distance);
         }
-    });
-    return trials;
+        family.fates[octant] = judge(cell, may_split);
+        if (family.fates[octant] != Fate::dropped) keep_lists(cell, parent, sizes, distances_2);
+    }
+    return family;
 }
 
 }
 
-std::vector<Cell> find_cells(const Space& space, const SizingField& field, double clearance, const Context& context) {
+std::vector<Cell> find_cells(const Space& space, double clearance, const Context& context) {
     std::vector<Cell> kept;
-    if (field.is_empty()) return kept;
-    const Refinement refinement(space, field, clearance);
+    if (space.sized_vertices().empty()) return kept;
+    const Refinement refinement(space, clearance);
     std::vector<Cell> to_split{refinement.root()};
+    std::size_t listed = 0;
     for (int depth = 1; !to_split.empty(); ++depth) {
-        const bool may_split = depth < max_depth && kept.size() + to_split.size() * 64 <= max_cells;
-        std::vector<Cell> next;
-        for (const Trial& trial : children_of(to_split, refinement, may_split, context)) {
-            if (trial.fate == Fate::kept) kept.push_back(trial.cell);
-            if (trial.fate == Fate::split) next.push_back(trial.cell);
+        const bool may_split =
+            depth < max_depth && kept.size() + to_split.size() * 64 <= max_cells && listed <= max_listed;
+        std::vector<Family> families(to_split.size());
+        parallel_for(context, to_split.size(), 32, [&](std::size_t begin, std::size_t end) {
+            context.stop_if_cancelled();
+            for (std::size_t i = begin; i < end; ++i) families[i] = refinement.children_of(to_split[i], may_split);
+        });
+        to_split.clear();
+        for (Family& family : families) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                if (family.fates[i] == Fate::dropped) continue;
+                listed += family.cells[i].vertices.size() + family.cells[i].triangles.size();
+                (family.fates[i] == Fate::kept ? kept : to_split).push_back(std::move(family.cells[i]));
+            }
         }
-        to_split = std::move(next);
     }
     return kept;
+}
+
+double size_at(const Space& space, const Cell& cell, Vec3 p) {
+    double size = infinity;
+    for (const Index v : cell.vertices) size = std::min(size, space.size_from(v, p));
+    return size;
+}
+
+double distance_at(const Space& space, const Cell& cell, Vec3 p) {
+    double distance_2 = infinity;
+    for (const Index t : cell.triangles) distance_2 = std::min(distance_2, space.face(t).distance_2(p));
+    return std::sqrt(distance_2);
 }
 
 }

@@ -6,31 +6,49 @@
 #include <vector>
 
 #include "core/context.h"
+#include "core/index.h"
 #include "core/vec3.h"
 #include "sample/space.h"
 
 namespace crumple::sample {
 
+// What is known of the material at a place.
+enum class Filling { unknown, fillable, other };
+
 struct Cell {
     Vec3 centre;
-    double half = 0;               // half of the cube's edge
-    double size = 0;               // h at the centre
-    double distance = 0;           // from the centre to the shell
-    bool is_one_material = false;  // all of it is fillable, though parts may be too near the shell
-    bool is_clear = false;         // and no part of it is too near: all of it may take points
-    double share = 0;              // about how much of its volume is fillable and 0.35 h away from the shell
+    double half = 0;                     // half of the cube's edge
+    double reach = 0;                    // no place of the cube, rounded to float, is farther from the centre
+    double size = 0;                     // h at the centre
+    double distance = 0;                 // from the centre to the shell
+    Index nearest = none;                // triangle to the centre
+    Index sized_by = none;               // the vertex whose term gives h at the centre
+    Filling filling = Filling::unknown;  // at the centre
+    bool is_clear = false;               // every place of it is fillable and far enough from the shell
+    double share = 0;                    // about how much of its volume is fillable and 0.35 h away from the shell
+    std::vector<Index> vertices;         // that may give h somewhere in the cell
+    std::vector<Index> triangles;        // that may be nearest to some place of it; none kept for a clear cell
 
-    [[nodiscard]] double radius() const { return half * 1.7320508075688772; }
-    // Bounds of h within the cell.
-    [[nodiscard]] double least_size() const { return size - size_growth * radius(); }
     [[nodiscard]] double volume() const { return 8 * half * half * half; }
+    // Bounds of h so far from the centre.
+    [[nodiscard]] double least_size(double away) const { return size - size_growth * away; }
+    [[nodiscard]] double largest_size(double away) const { return size + size_growth * away; }
 };
 
 // So far from the shell, in h, begins the space for which points are counted.
 inline constexpr double counted_clearance = 0.35;
 
 // Cells where points at least clearance * h (or counted_clearance * h) from the shell may lie.
-[[nodiscard]] std::vector<Cell> find_cells(const Space& space, const SizingField& field, double clearance,
-                                           const Context& context);
+[[nodiscard]] std::vector<Cell> find_cells(const Space& space, double clearance, const Context& context);
+
+// h, and the distance to the shell, at a place within the cell's reach.
+[[nodiscard]] double size_at(const Space& space, const Cell& cell, Vec3 p);
+[[nodiscard]] double distance_at(const Space& space, const Cell& cell, Vec3 p);
+
+// What fills a place that far from the centre and that far from the shell. Where the two balls that hold nothing of the
+// shell meet, it is what fills the centre; that saves asking the winding number.
+[[nodiscard]] inline Filling filling_near(const Space& space, const Cell& cell, double away, double distance) {
+    return space.is_watertight() && away < cell.distance + distance ? cell.filling : Filling::unknown;
+}
 
 }

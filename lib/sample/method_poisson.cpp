@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sample/ball_grid.h"
+#include "geometry/bvh.h"
 #include "sample/method.h"
 
 namespace crumple::sample {
 
 namespace {
 
-constexpr std::uint64_t candidates_a_point = 12;
+// A dozen candidates a point spread few points better than six do; for many points it makes no difference.
+std::uint64_t candidate_count(std::uint64_t points) {
+    return std::max<std::uint64_t>(6 * points, std::min<std::uint64_t>(12 * points, 48'000));
+}
+
 constexpr double shrink = 0.93;
 constexpr double least_part_of_start = 0.02;  // of the first c: then even the densest candidates were thrown
 constexpr double vertex_repulsion = 0.7;      // shell vertices keep points away a little less than points do
@@ -24,45 +28,61 @@ double first_spacing(double free_size, std::uint64_t count) {
     return static_cast<float>(1.1 * std::cbrt(0.73 * std::max(free_size, 1.0) / static_cast<double>(count)));
 }
 
+std::vector<Box> boxes_of(const std::vector<Candidate>& candidates) {
+    std::vector<Box> boxes;
+    boxes.reserve(candidates.size());
+    for (const Candidate& candidate : candidates) boxes.push_back({candidate.position, candidate.position});
+    return boxes;
+}
+
+// Knows for every candidate the largest spacing at which it may still stick. A point that sticks lowers it around
+// itself.
 class Darts {
 public:
-    Darts(const std::vector<Candidate>& candidates, Vec3 origin) : candidates_(candidates), balls_(origin) {}
+    explicit Darts(const std::vector<Candidate>& candidates) : candidates_(candidates), tree_(boxes_of(candidates)) {
+        limits_.reserve(candidates.size());
+        for (const Candidate& candidate : candidates) {
+            limits_.push_back(candidate.vertex_gap / vertex_repulsion);
+        }
+    }
 
-    // True when the candidate is far enough from all that stick; then it sticks too.
-    bool throw_dart(Index number, double spacing) {
+    [[nodiscard]] bool may_stick(Index number, double spacing) const { return limits_[number] >= spacing; }
+
+    void stick(Index number, double spacing) {
         const Candidate& dart = candidates_[number];
-        if (dart.vertex_gap < std::min(vertex_repulsion * spacing, max_vertex_gap)) return false;
-        const bool is_blocked = balls_.any_at(dart.position, [&](Index other) {
-            const Vec3 between = candidates_[other].position - dart.position;
-            const double apart = spacing * std::min(candidates_[other].size, dart.size);
-            return dot(between, between) < apart * apart;
+        const double radius = spacing * dart.size;
+        const Vec3 reach{radius, radius, radius};
+        tree_.touching({dart.position - reach, dart.position + reach}, [&](Index other) {
+            const double apart = length(candidates_[other].position - dart.position);
+            limits_[other] = std::min(limits_[other], apart / std::min(candidates_[other].size, dart.size));
+            return false;
         });
-        if (is_blocked) return false;
-        balls_.insert(number, dart.position, spacing * dart.size);
-        return true;
     }
 
 private:
     const std::vector<Candidate>& candidates_;
-    BallGrid balls_;
+    Bvh tree_;
+    std::vector<double> limits_;
 };
 
 }
 
 Chosen choose_poisson(Drawing drawing, std::uint64_t count, double free_size, const Context& context) {
+    const double start = first_spacing(free_size, count);
     drawing.density = Density::by_size;
-    const Draws draws = draw_candidates(drawing, count * candidates_a_point, context);
+    drawing.vertex_gap = vertex_repulsion * start;
+    const Draws draws = draw_candidates(drawing, candidate_count(count), context);
     Chosen chosen{{}, draws.tries, draws.candidates.size(), 0};
     if (draws.candidates.empty()) return chosen;
-    Darts darts(draws.candidates, drawing.space.box().low);
+    Darts darts(draws.candidates);
     std::vector<Index> waiting(draws.candidates.size());
     for (std::size_t i = 0; i < waiting.size(); ++i) waiting[i] = static_cast<Index>(i);
-    const double start = first_spacing(free_size, count);
     for (double spacing = start; spacing > least_part_of_start * start; spacing *= shrink) {
         context.stop_if_cancelled();
         chosen.spacing = spacing;
         std::erase_if(waiting, [&](Index number) {
-            if (chosen.points.size() == count || !darts.throw_dart(number, spacing)) return false;
+            if (chosen.points.size() == count || !darts.may_stick(number, spacing)) return false;
+            darts.stick(number, spacing);
             chosen.points.push_back(draws.candidates[number].position);
             return true;
         });

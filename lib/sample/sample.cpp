@@ -2,9 +2,7 @@
 #include "sample/sample.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 #include "sample/cells.h"
 #include "sample/count.h"
@@ -106,22 +104,12 @@ void judge_outcome(Report& report, const Space& space) {
     }
 }
 
-struct Fields {
-    SizingField plain;
-    std::optional<SizingField> painted;
-    [[nodiscard]] const SizingField& wanted() const { return painted ? *painted : plain; }
-};
-
-Fields make_fields(const Shell& shell, bool painted_density, Report& report) {
-    Fields fields{SizingField(shell, {}), {}};
-    if (!painted_density) return fields;
-    if (shell.color.size() == shell.positions.size()) {
-        fields.painted.emplace(shell, painted_size_factors(shell));
-    } else {
-        add_finding(report, "SAMPLE_NO_DENSITY", Severity::warning,
-                    "the density should follow the green channel, but the shell has no colours");
-    }
-    return fields;
+std::vector<double> size_factors(const Shell& shell, bool painted_density, Report& report) {
+    if (!painted_density) return {};
+    if (shell.color.size() == shell.positions.size()) return painted_size_factors(shell);
+    add_finding(report, "SAMPLE_NO_DENSITY", Severity::warning,
+                "the density should follow the green channel, but the shell has no colours");
+    return {};
 }
 
 }
@@ -132,17 +120,16 @@ Result sample_interior(const Shell& shell, const Params& params, const Context& 
     Report& report = result.report;
     report.shell_vertices = shell.positions.size();
 
-    const Space space(shell);
-    const Fields fields = make_fields(shell, params.painted_density, report);
+    const Space space(shell, size_factors(shell, params.painted_density, report));
     context.tell_progress("sample: find room", 0);
-    const std::vector<Cell> cells = find_cells(space, fields.wanted(), params.clearance, context);
+    const std::vector<Cell> cells = find_cells(space, params.clearance, context);
     measure_space(report, cells);
     const double free_size = free_size_of(cells);
     report.automatic_count = static_cast<std::uint64_t>(std::llround(free_size / volume_a_point));
     report.wanted = wanted_points(count, report.shell_vertices, report);
 
     context.tell_progress("sample: place points", 0.3);
-    const Drawing drawing{space, fields.wanted(), fields.plain, cells, Density::by_size, params.clearance, params.seed};
+    const Drawing drawing{space, cells, Density::by_size, params.clearance, 0, params.seed};
     const Chosen chosen = method_function(params.method)(drawing, report.wanted, free_size, context);
     result.points.positions.insert(result.points.positions.end(), chosen.points.begin(), chosen.points.end());
     report.points = chosen.points.size();
