@@ -14,8 +14,8 @@ struct Box {
 
     void add(Vec3 p) {
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::fmin(low[axis], p[axis]);
-            high[axis] = std::fmax(high[axis], p[axis]);
+            if (p[axis] < low[axis]) low[axis] = p[axis];
+            if (p[axis] > high[axis]) high[axis] = p[axis];
         }
     }
     [[nodiscard]] double diagonal() const { return low.x > high.x ? 0 : length(high - low); }

@@ -47,8 +47,9 @@ public:
         imaginary *= scale;
         const double next_real = real_ * real - imaginary_ * imaginary;
         const double next_imaginary = real_ * imaginary + imaginary_ * real;
-        if (imaginary_ >= 0 && imaginary > 0 && next_imaginary < 0) ++turns_;
-        if (imaginary_ < 0 && imaginary < 0 && next_imaginary >= 0) --turns_;
+        // Two angles of one sign may sum to more than half a turn. Counted without branches: signs are random.
+        turns_ += int{imaginary_ >= 0} & int{imaginary > 0} & int{next_imaginary < 0};
+        turns_ -= int{imaginary_ < 0} & int{imaginary < 0} & int{next_imaginary >= 0};
         real_ = next_real;
         imaginary_ = next_imaginary;
         if (std::fabs(real_) + std::fabs(imaginary_) < 0x1p-100) {
@@ -65,7 +66,7 @@ public:
 private:
     double real_ = 1;
     double imaginary_ = 0;
-    double turns_ = 0;
+    int turns_ = 0;
 };
 
 // A vertex seen from the query point.
@@ -85,21 +86,21 @@ void add_triangle(AngleSum& sum, const Ray& a, const Ray& b, const Ray& c) {
 }
 
 // Triangles halved along the longest axis again and again. From outside a node's box its triangles look like any other
-// surface with the same boundary [Jacobson et al. 2013, section 4.2]: a fan over the boundary edges, exact and much
+// surface with the same boundary [Jacobson et al. 2013, section 4.2]: a fan over each boundary loop, exact and much
 // smaller.
 struct WindingNumber::Tree {
     struct Node {
         Box box;
         Index first = 0;  // of triangles
         Index count = 0;
-        Index right = none;  // the left child is the next node; none at a leaf
-        Index fan_first = 0;
-        Index fan_count = 0;
+        Index right = none;     // the left child is the next node; none at a leaf
+        Index loops_first = 0;  // of loops
+        Index loops_count = 0;  // entries of loops
     };
 
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
-    std::vector<Edge> fans;
+    std::vector<Index> loops;  // vertices of one closed loop after the other, each loop followed by none
     std::vector<Node> nodes;
     std::vector<Vec3> centres;  // of triangles, while building
 
@@ -107,9 +108,9 @@ struct WindingNumber::Tree {
     std::vector<ChainEdge> build(std::vector<Index>& order, Index first, Index count);
     std::vector<ChainEdge> build_leaf(std::vector<Index>& order, Index first, Index count) const;
     void split(std::vector<Index>& order, const Node& node, Index half) const;
-    void add_fan(Node& node, const std::vector<ChainEdge>& chain);
+    void add_loops(Node& node, const std::vector<ChainEdge>& chain);
     void sum_node(AngleSum& sum, Index index, Vec3 p) const;
-    void sum_fan(AngleSum& sum, const Node& node, Vec3 p) const;
+    void sum_loops(AngleSum& sum, const Node& node, Vec3 p) const;
 };
 
 // Numbers vertices by place and sorts the triangles, so that neither the input's order nor its welding shows.
@@ -184,29 +185,52 @@ std::vector<ChainEdge> WindingNumber::Tree::build(std::vector<Index>& order, Ind
         std::merge(left.begin(), left.end(), right.begin(), right.end(), chain.begin(), chain_less);
         drop_cancelled(chain);
     }
-    add_fan(node, chain);
+    add_loops(node, chain);
     nodes[index] = node;
     return chain;
 }
 
-// The fan's apex is the first vertex of its first edge; edges at the apex span nothing and are left out.
-void WindingNumber::Tree::add_fan(Node& node, const std::vector<ChainEdge>& chain) {
-    node.fan_first = static_cast<Index>(fans.size());
+// A boundary enters every vertex as often as it leaves it, so walking along unused edges always comes back to the
+// start.
+void WindingNumber::Tree::add_loops(Node& node, const std::vector<ChainEdge>& chain) {
+    std::vector<Edge> steps;
     for (const ChainEdge& edge : chain) {
-        const bool has_apex = edge.low == chain.front().low;
-        if (has_apex && fans.size() > node.fan_first) continue;
-        const Edge directed = edge.times > 0 ? Edge{edge.low, edge.high} : Edge{edge.high, edge.low};
-        if (fans.size() == node.fan_first) fans.push_back({chain.front().low, chain.front().low});
-        for (int i = 0; i < std::abs(edge.times) && !has_apex; ++i) fans.push_back(directed);
+        const Edge step = edge.times > 0 ? Edge{edge.low, edge.high} : Edge{edge.high, edge.low};
+        steps.insert(steps.end(), static_cast<std::size_t>(std::abs(edge.times)), step);
     }
-    node.fan_count = static_cast<Index>(fans.size()) - node.fan_first;
+    std::sort(steps.begin(), steps.end());
+    std::vector<std::uint8_t> is_used(steps.size(), 0);
+    node.loops_first = static_cast<Index>(loops.size());
+    for (std::size_t start = 0; start < steps.size(); ++start) {
+        if (is_used[start]) continue;
+        for (std::size_t at = start; at < steps.size();) {
+            is_used[at] = 1;
+            loops.push_back(steps[at][0]);
+            const Index next = steps[at][1];
+            at = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), Edge{next, 0}) - steps.begin());
+            while (at < steps.size() && steps[at][0] == next && is_used[at]) ++at;
+            if (at < steps.size() && steps[at][0] != next) break;
+        }
+        loops.push_back(none);
+    }
+    node.loops_count = static_cast<Index>(loops.size()) - node.loops_first;
 }
 
-void WindingNumber::Tree::sum_fan(AngleSum& sum, const Node& node, Vec3 p) const {
-    if (node.fan_count == 0) return;
-    const Ray apex(vertices[fans[node.fan_first][0]], p);
-    for (Index i = node.fan_first + 1; i < node.fan_first + node.fan_count; ++i) {
-        add_triangle(sum, apex, Ray(vertices[fans[i][0]], p), Ray(vertices[fans[i][1]], p));
+void WindingNumber::Tree::sum_loops(AngleSum& sum, const Node& node, Vec3 p) const {
+    const Index end = node.loops_first + node.loops_count;
+    for (Index i = node.loops_first; i < end; ++i) {
+        const Ray apex(vertices[loops[i]], p);
+        Ray last(vertices[loops[++i]], p);
+        double last_on_apex = dot(apex.to, last.to);
+        for (++i; loops[i] != none; ++i) {
+            const Ray next(vertices[loops[i]], p);
+            const double next_on_apex = dot(apex.to, next.to);
+            const double real = apex.distance * (last.distance * next.distance + dot(last.to, next.to)) +
+                                last_on_apex * next.distance + next_on_apex * last.distance;
+            sum.add(real, dot(apex.to, cross(last.to, next.to)));
+            last = next;
+            last_on_apex = next_on_apex;
+        }
     }
 }
 
@@ -214,7 +238,7 @@ void WindingNumber::Tree::sum_node(AngleSum& sum, Index index, Vec3 p) const {
     const Node& node = nodes[index];
     const bool outside = p.x < node.box.low.x || p.y < node.box.low.y || p.z < node.box.low.z ||
                          p.x > node.box.high.x || p.y > node.box.high.y || p.z > node.box.high.z;
-    if (outside && node.fan_count <= node.count) return sum_fan(sum, node, p);
+    if (outside && node.loops_count <= 2 * node.count) return sum_loops(sum, node, p);
     if (node.right != none) {
         sum_node(sum, index + 1, p);
         sum_node(sum, node.right, p);
