@@ -83,16 +83,24 @@ std::vector<Finding> verify_digests(const FileReader& file) {
 
 std::string content_digest(const FileReader& file) { return to_hex(file.read_value<Digest>(digest_prefix + "all")); }
 
+namespace {
+
+void check_bundle(const FileReader& file, CheckedFile& checked) {
+    checked.bundle = read_bundle(file);
+    check_vtk_view(file, *checked.bundle, checked.findings);
+    const std::vector<Finding> wrong = validate(*checked.bundle);
+    checked.findings.insert(checked.findings.end(), wrong.begin(), wrong.end());
+}
+
+}
+
 CheckedFile check_file(std::vector<std::byte> image, const std::string& name) {
     CheckedFile checked;
     try {
         const FileReader file(std::move(image), name);
         checked.findings = verify_digests(file);
         checked.digest = content_digest(file);
-        checked.bundle = read_bundle(file);
-        check_vtk_view(file, *checked.bundle, checked.findings);
-        const std::vector<Finding> wrong = validate(*checked.bundle);
-        checked.findings.insert(checked.findings.end(), wrong.begin(), wrong.end());
+        if (has_bundle(file)) check_bundle(file, checked);
     } catch (const Error& error) {
         checked.findings.push_back({"FILE_UNREADABLE", Severity::error, error.what(), 1, {{{}, none, name}}});
     }

@@ -20,7 +20,7 @@ namespace crumple::store {
 [[nodiscard]] std::string content_digest(const FileReader& file);
 
 struct CheckedFile {
-    std::optional<Bundle> bundle;   // when it could be read
+    std::optional<Bundle> bundle;   // when the file has one (a work file may not) and it could be read
     std::string digest;             // content_digest, empty when the file could not be opened
     std::vector<Finding> findings;  // severity error: damage or a broken invariant
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "store/hdf5_image.h"
 
+#include <atomic>
 #include <cstring>
 #include <new>
 
@@ -43,6 +44,11 @@ void use_image(hid_t access, Bytes& bytes) {
     bool ok = H5Pset_fapl_core(access, growth, 0) >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0;
     if (!bytes.empty()) ok = ok && H5Pset_file_image(access, bytes.data(), bytes.size()) >= 0;
     CRUMPLE_CHECK(ok, last_hdf5_error());
+}
+
+std::string unique_file_name() {
+    static std::atomic<unsigned long> count = 0;
+    return "memory-" + std::to_string(++count);
 }
 
 }

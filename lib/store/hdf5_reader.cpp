@@ -131,7 +131,7 @@ Handle open_image(std::vector<std::byte>& image) {
     prepare_hdf5();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     use_image(access.id(), image);
-    return {H5Fopen("memory", H5F_ACC_RDONLY, access.id()), H5Fclose};
+    return {H5Fopen(unique_file_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose};
 }
 
 }

@@ -35,7 +35,7 @@ Handle open_memory_file(std::vector<std::byte>& image) {
                 H5Pset_userblock(creation.id(), seal_size) >= 0 && H5Pset_istore_k(creation.id(), chunk_tree_k) >= 0 &&
                 H5Pset_obj_track_times(creation.id(), 0) >= 0,
             "HDF5 settings");
-    Handle file(H5Fcreate("memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+    Handle file(H5Fcreate(unique_file_name().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
     require(file.is_open(), "HDF5 file in memory");
     return file;
 }
