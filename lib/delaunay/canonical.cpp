@@ -2,84 +2,136 @@
 #include "delaunay/canonical.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <utility>
 
 namespace crumple::delaunay {
 namespace {
 
-// corner[i]: which corner of the facet becomes corner i of the tet.
-using CornerOrder = std::array<std::uint8_t, 4>;
+bool is_tet(const LiftedHull& hull, Index facet) { return hull.is_alive(facet) && !hull.is_infinite(facet); }
 
-CornerOrder canonical_corners(const std::array<Index, 4>& vertex) {
-    CornerOrder corner{0, 1, 2, 3};
+// Corners in rising order, the last two swapped where only that keeps the tet positive; neighbours go with them.
+void sort_corners(Tet& corner, std::array<Index, 4>& neighbour) {
     bool is_odd = false;
     const auto sort_pair = [&](int i, int j) {
-        if (vertex[corner[i]] > vertex[corner[j]]) {
-            std::swap(corner[i], corner[j]);
-            is_odd = !is_odd;
-        }
+        const bool swaps = corner[i] > corner[j];
+        const Tet old_corner = corner;
+        const auto old_neighbour = neighbour;
+        corner[i] = swaps ? old_corner[j] : old_corner[i];
+        corner[j] = swaps ? old_corner[i] : old_corner[j];
+        neighbour[i] = swaps ? old_neighbour[j] : old_neighbour[i];
+        neighbour[j] = swaps ? old_neighbour[i] : old_neighbour[j];
+        is_odd ^= swaps;
     };
     sort_pair(0, 1);
     sort_pair(2, 3);
     sort_pair(0, 2);
     sort_pair(1, 3);
     sort_pair(1, 2);
-    if (is_odd) std::swap(corner[2], corner[3]);
-    return corner;
-}
-
-void reorder_corners(Facet& facet, const CornerOrder& order) {
-    const auto vertex = facet.vertex;
-    const auto neighbour = facet.neighbour;
-    for (int i = 0; i < 4; ++i) {
-        facet.vertex[i] = vertex[order[i]];
-        facet.neighbour[i] = neighbour[order[i]];
+    if (is_odd) {
+        std::swap(corner[2], corner[3]);
+        std::swap(neighbour[2], neighbour[3]);
     }
 }
 
-// Finite facets sorted by their corners: buckets by the first, then the few of each bucket by the others.
-std::vector<Index> canonical_order(const LiftedHull& hull, const std::vector<Index>& finite) {
-    const auto facets = hull.facets();
-    std::vector<Index> start(hull.sites().count() + 1, 0);
-    for (const Index f : finite) ++start[facets[f].vertex[0] + 1];
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Index> order(finite.size());
-    for (const Index f : finite) order[start[facets[f].vertex[0]]++] = f;
-    // Each start has moved to the end of its bucket.
-    Index begin = 0;
-    for (std::size_t i = 0; i + 1 < start.size(); ++i) {
-        std::sort(order.begin() + begin, order.begin() + start[i],
-                  [&](Index a, Index b) { return facets[a].vertex < facets[b].vertex; });
-        begin = start[i];
-    }
-    return order;
-}
+class CanonicalWriter {
+public:
+    CanonicalWriter(const LiftedHull& hull, TetMesh& mesh) : hull_(hull), mesh_(mesh) {}
 
-}
-
-void write_canonical_tets(LiftedHull& hull, TetMesh& mesh) {
-    const auto facets = hull.facets();
-    const auto& source = hull.sites().source;
-    std::vector<Index> finite;
-    finite.reserve(facets.size());
-    for (Index f = 0; f < facets.size(); ++f) {
-        if (!hull.is_alive(f) || hull.is_infinite(f)) continue;
-        finite.push_back(f);
-        reorder_corners(facets[f], canonical_corners(facets[f].vertex));
+    void write() {
+        make_buckets();
+        fill_buckets();
+        Index begin = 0;
+        for (const Index end : bucket_end_) {
+            sort_bucket(begin, end);
+            begin = end;
+        }
+        name_neighbours();
     }
-    const std::vector<Index> order = canonical_order(hull, finite);
-    // From here on mark is the facet's number in the mesh; infinite facets have none.
-    for (Facet& f : facets) f.mark = none;
-    for (Index tet = 0; tet < order.size(); ++tet) facets[order[tet]].mark = tet;
-    mesh.tets.resize(order.size());
-    mesh.neighbours.resize(order.size());
-    for (Index tet = 0; tet < order.size(); ++tet) {
-        const Facet& f = facets[order[tet]];
-        for (int corner = 0; corner < 4; ++corner) {
-            mesh.tets[tet][corner] = source[f.vertex[corner]];
-            mesh.neighbours[tet][corner] = facets[f.neighbour[corner] / 4].mark;
+
+private:
+    // One bucket a site: the tets whose lowest corner it is. bucket_end_ holds the beginnings until they are filled.
+    void make_buckets() {
+        const auto facets = hull_.facets();
+        bucket_end_.assign(hull_.sites().count(), 0);
+        for (Index f = 0; f < facets.size(); ++f) {
+            if (is_tet(hull_, f)) ++bucket_end_[*std::min_element(facets[f].vertex.begin(), facets[f].vertex.end())];
+        }
+        Index count = 0;
+        for (Index& end : bucket_end_) count += std::exchange(end, count);
+        mesh_.tets.resize(count);
+        mesh_.neighbours.resize(count);
+        facet_of_.resize(count);
+    }
+
+    void fill_buckets() {
+        const auto facets = hull_.facets();
+        for (Index f = 0; f < facets.size(); ++f) {
+            if (!is_tet(hull_, f)) continue;
+            Tet corner = facets[f].vertex;
+            auto neighbour = facets[f].neighbour;
+            sort_corners(corner, neighbour);
+            const Index place = bucket_end_[corner[0]]++;
+            mesh_.tets[place] = corner;
+            mesh_.neighbours[place] = neighbour;
+            facet_of_[place] = f;
         }
     }
+
+    void sort_bucket(Index begin, Index end) {
+        entries_.clear();
+        for (Index place = begin; place < end; ++place) {
+            entries_.push_back({mesh_.tets[place], mesh_.neighbours[place], facet_of_[place]});
+        }
+        order_.clear();
+        for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+            const Tet& corner = entries_[i].corner;
+            order_.push_back({std::uint64_t{corner[1]} << 32 | corner[2], corner[3], i});
+        }
+        std::sort(order_.begin(), order_.end());
+        for (const Rank& rank : order_) {
+            const Entry& entry = entries_[rank.entry];
+            mesh_.tets[begin] = entry.corner;
+            mesh_.neighbours[begin] = entry.neighbour;
+            facet_of_[begin++] = entry.facet;
+        }
+    }
+
+    // Facets become tets, none where they are infinite, and sites become points.
+    void name_neighbours() {
+        const auto& source = hull_.sites().source;
+        std::vector<Index> tet_of(hull_.facets().size(), none);
+        for (Index tet = 0; tet < facet_of_.size(); ++tet) tet_of[facet_of_[tet]] = tet;
+        for (auto& neighbours : mesh_.neighbours) {
+            for (Index& neighbour : neighbours) neighbour = tet_of[neighbour / 4];
+        }
+        for (Tet& tet : mesh_.tets) {
+            for (Index& corner : tet) corner = source[corner];
+        }
+    }
+
+    struct Entry {
+        Tet corner;
+        std::array<Index, 4> neighbour;
+        Index facet;
+    };
+    struct Rank {
+        std::uint64_t second_and_third;
+        Index fourth;
+        std::uint32_t entry;
+        auto operator<=>(const Rank&) const = default;
+    };
+
+    const LiftedHull& hull_;
+    TetMesh& mesh_;
+    std::vector<Index> bucket_end_;
+    std::vector<Index> facet_of_;
+    std::vector<Entry> entries_;  // of the bucket at hand
+    std::vector<Rank> order_;
+};
+
 }
+
+void write_canonical_tets(const LiftedHull& hull, TetMesh& mesh) { CanonicalWriter(hull, mesh).write(); }
 
 }

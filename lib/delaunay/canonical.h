@@ -10,7 +10,7 @@
 namespace crumple::delaunay {
 
 // Fills tets and neighbours. A tet starts with its corners in Hilbert order, the last two swapped where that is needed
-// to keep it positive; tets are sorted by these corners. The hull's facets are used up.
-void write_canonical_tets(LiftedHull& hull, TetMesh& mesh);
+// to keep it positive; tets are sorted by these corners.
+void write_canonical_tets(const LiftedHull& hull, TetMesh& mesh);
 
 }

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "delaunay/facet_plane.h"
 
+#include <algorithm>
 #include <limits>
 
-// The loop below is compiled once per instruction set and chosen when the program starts. No fused operations are
-// allowed (-ffp-contract=off), so every version gives the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define CRUMPLE_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define CRUMPLE_CLONES
-#endif
+#include "geometry/clones.h"
 
 namespace crumple::delaunay {
 namespace {
@@ -39,7 +34,8 @@ struct Outputs {
     float* __restrict curvature_error;
 };
 
-CRUMPLE_CLONES void fill(const Inputs in, const Outputs out, const std::size_t count) {
+CRUMPLE_CLONES("avx512f", "avx2", "default")
+void fill(const Inputs in, const Outputs out, const std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t a = in.a[i], b = in.b[i], c = in.c[i];
         const double ax = in.x[a], ay = in.y[a], az = in.z[a], aa = in.square[a], am = in.largest[a];
@@ -82,7 +78,7 @@ void StarVertices::set(std::size_t i, double dx, double dy, double dz) {
     y[i] = dy;
     z[i] = dz;
     square[i] = dx * dx + dy * dy + dz * dz;
-    largest[i] = std::fmax(std::fmax(std::fabs(dx), std::fabs(dy)), std::fabs(dz));
+    largest[i] = std::max(std::max(std::fabs(dx), std::fabs(dy)), std::fabs(dz));
 }
 
 void StarVertices::set_infinite(std::size_t i) {

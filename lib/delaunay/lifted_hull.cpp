@@ -21,9 +21,8 @@ constexpr std::size_t usual_star = 256;
 
 LiftedHull::LiftedHull(Sites& sites) : sites_(sites) {
     facets_.reserve(sites.count() * std::size_t{34} / 5 + 64);
-    vertices_.resize(usual_star);
-    planes_.resize(usual_star);
-    star_.resize(usual_star);
+    cavity_.resize(usual_star);
+    star_.reserve(usual_star);
 }
 
 void LiftedHull::set_simplex_plane(Facet& facet) {
@@ -31,14 +30,14 @@ void LiftedHull::set_simplex_plane(Facet& facet) {
     for (std::uint32_t i = 1; i < 4; ++i) {
         const Site& p = sites_.at[facet.vertex[i]];
         if (facet.vertex[i] == sites_.infinity()) {
-            vertices_.set_infinite(i - 1);
+            star_.position.set_infinite(i - 1);
         } else {
-            vertices_.set(i - 1, p.x - origin.x, p.y - origin.y, p.z - origin.z);
+            star_.position.set(i - 1, p.x - origin.x, p.y - origin.y, p.z - origin.z);
         }
-        planes_.corner[i - 1][0] = i - 1;
+        star_.planes.corner[i - 1][0] = i - 1;
     }
-    make_planes(vertices_, planes_, 1);
-    facet.plane = planes_[0];
+    make_planes(star_.position, star_.planes, 1);
+    facet.plane = star_.planes[0];
     if (sites_.exact_only) facet.plane.normal_error = std::numeric_limits<float>::infinity();
 }
 
@@ -61,12 +60,12 @@ void LiftedHull::start(const std::array<Index, 4>& simplex) {
             facets_[i + 1].neighbour[k] = 4 * (other + 1) + corner;
         }
     }
-    star_size_ = facets_.size();
+    star_.facet_count = facets_.size();
     for (Index i = 0; i < facets_.size(); ++i) {
         facets_[i].mark = 0;
         facets_[i].outside = none;
         set_simplex_plane(facets_[i]);
-        star_[i] = i;
+        star_.facet[i] = i;
     }
 }
 
@@ -87,119 +86,118 @@ bool LiftedHull::sees_exactly(Index site, const Facet& facet) {
     return is_inside_after_tie(corner, point, sites_.grain);
 }
 
-// The facets the site sees are connected: spread from the first over all ridges. Marks: odd seen, even not seen.
-void LiftedHull::find_cavity(Index site, Index facet) {
-    const std::uint32_t unseen = 2 * ++insertion_;
-    const std::uint32_t seen = unseen + 1;
-    cavity_.clear();
-    rims_.clear();
+void LiftedHull::number_vertex(Index vertex, const Site& origin) {
+    Site& site = sites_.at[vertex];
+    if (site.stamp == insertion_) return;
+    site.stamp = insertion_;
+    site.local = star_.vertex_count++;
+    star_.vertex[site.local] = vertex;
+    if (vertex == sites_.infinity()) {
+        star_.position.set_infinite(site.local);
+    } else {
+        star_.position.set(site.local, site.x - origin.x, site.y - origin.y, site.z - origin.z);
+    }
+}
+
+void LiftedHull::begin_cavity(Index facet) {
+    ++insertion_;
+    star_.facet_count = 0;
+    star_.vertex_count = 0;
     orphans_.clear();
-    cavity_.push_back(facet);
-    facets_[facet].mark = seen;
-    for (std::size_t next = 0; next < cavity_.size(); ++next) {
-        const Facet& inner = facets_[cavity_[next]];
+    cavity_[0] = 4 * facet;
+    cavity_size_ = 1;
+    facets_[facet].mark = 2 * insertion_ + 1;
+}
+
+// The facets the site sees are connected: spread from the first over all ridges. Marks: odd seen, even not seen.
+// Whether a facet is seen is a coin toss that no branch predictor wins, and the answer comes late; so both outcomes are
+// written down and only the counters depend on it.
+void LiftedHull::find_cavity(Index site) {
+    const std::uint32_t unseen = 2 * insertion_;
+    const Site& origin = sites_.at[site];
+    Facet* const facets = facets_.data();
+    for (const Index vertex : facets[cavity_[0] / 4].vertex) number_vertex(vertex, origin);
+    for (std::size_t next = 0; next < cavity_size_; ++next) {
+        if (cavity_.size() < cavity_size_ + 4) cavity_.resize(2 * cavity_.size());
+        star_.reserve(std::max<std::size_t>(star_.facet_count, star_.vertex_count) + 4);
+        const Facet& inner = facets[cavity_[next] / 4];
         if (inner.outside != none) orphans_.push_back(inner.outside);
+        number_vertex(inner.vertex[cavity_[next] % 4], origin);
+        std::uint32_t local[4];
+        for (int corner = 0; corner < 4; ++corner) local[corner] = sites_.at[inner.vertex[corner]].local;
         for (int corner = 0; corner < 4; ++corner) {
             const Index beyond = inner.neighbour[corner];
-            Facet& other = facets_[beyond / 4];
-            if (other.mark == seen) continue;
-            if (other.mark != unseen) {
-                const bool is_seen = sees(site, beyond / 4);
-                other.mark = is_seen ? seen : unseen;
-                if (is_seen) {
-                    cavity_.push_back(beyond / 4);
-                    continue;
-                }
+            Facet& other = facets[beyond / 4];
+            if (other.mark - unseen > 1) {
+                const int side = plane_side(site, other);
+                const bool is_seen = side != 0 ? side > 0 : sees_exactly(site, other);
+                other.mark = unseen + is_seen;
+                cavity_[cavity_size_] = beyond;
+                cavity_size_ += is_seen;
             }
             const int* face = tet_face_corners[corner];
-            rims_.push_back({{inner.vertex[face[0]], inner.vertex[face[1]], inner.vertex[face[2]]}, beyond});
+            star_.add_triangle(local[face[0]], local[face[1]], local[face[2]], beyond, other.mark == unseen);
         }
     }
 }
 
 // New facets live where old ones were, as far as those go.
 void LiftedHull::take_slots() {
-    star_size_ = rims_.size();
-    if (star_.size() < star_size_) {
-        star_.resize(2 * star_size_);
-        planes_.resize(2 * star_size_);
-        vertices_.resize(2 * star_size_);
+    const std::size_t reused = std::min(cavity_size_, star_.facet_count);
+    for (std::size_t i = 0; i < reused; ++i) star_.facet[i] = cavity_[i] / 4;
+    for (std::size_t i = reused; i < cavity_size_; ++i) {
+        facets_[cavity_[i] / 4].vertex[0] = none;
+        free_.push_back(cavity_[i] / 4);
     }
-    const std::size_t reused = std::min(cavity_.size(), star_size_);
-    std::copy_n(cavity_.begin(), reused, star_.begin());
-    for (std::size_t i = reused; i < cavity_.size(); ++i) {
-        facets_[cavity_[i]].vertex[0] = none;
-        free_.push_back(cavity_[i]);
-    }
-    for (std::size_t i = reused; i < star_size_; ++i) {
+    for (std::size_t i = reused; i < star_.facet_count; ++i) {
         if (!free_.empty()) {
-            star_[i] = free_.back();
+            star_.facet[i] = free_.back();
             free_.pop_back();
         } else {
             if (facets_.size() == most_facets) throw Error(ErrorKind::budget, "delaunay: more than 2^30 tetrahedra");
-            star_[i] = static_cast<Index>(facets_.size());
+            star_.facet[i] = static_cast<Index>(facets_.size());
             facets_.emplace_back();
         }
     }
 }
 
-std::uint32_t LiftedHull::local_number(Index vertex, const Site& origin) {
-    Site& site = sites_.at[vertex];
-    if (site.stamp != insertion_) {
-        site.stamp = insertion_;
-        site.local = vertex_count_++;
-        if (vertex == sites_.infinity()) {
-            vertices_.set_infinite(site.local);
-        } else {
-            vertices_.set(site.local, site.x - origin.x, site.y - origin.y, site.z - origin.z);
-        }
-    }
-    return site.local;
-}
-
-// Names the vertices of the star by small numbers and notes which facet runs through each directed edge.
-void LiftedHull::number_star_vertices(Index site) {
-    const Site& origin = sites_.at[site];
-    vertex_count_ = 0;
-    edges_.start(static_cast<std::uint32_t>(star_size_ / 2 + 2), 3 * star_size_);
-    for (std::size_t i = 0; i < star_size_; ++i) {
-        const auto& [a, b, c] = rims_[i].vertex;
-        const std::uint32_t la = local_number(a, origin);
-        const std::uint32_t lb = local_number(b, origin);
-        const std::uint32_t lc = local_number(c, origin);
-        planes_.corner[0][i] = la;
-        planes_.corner[1][i] = lb;
-        planes_.corner[2][i] = lc;
-        const Index code = 4 * star_[i];
-        edges_.put(lb, lc, code + 1);
-        edges_.put(lc, la, code + 2);
-        edges_.put(la, lb, code + 3);
+void LiftedHull::note_edges() {
+    edges_.start(star_.vertex_count, 3 * star_.facet_count);
+    for (std::size_t i = 0; i < star_.facet_count; ++i) {
+        const std::uint32_t a = star_.planes.corner[0][i];
+        const std::uint32_t b = star_.planes.corner[1][i];
+        const std::uint32_t c = star_.planes.corner[2][i];
+        const Index code = 4 * star_.facet[i];
+        edges_.put(b, c, code + 1);
+        edges_.put(c, a, code + 2);
+        edges_.put(a, b, code + 3);
     }
 }
 
-void LiftedHull::make_star(Index site) {
-    make_planes(vertices_, planes_, star_size_);
-    for (std::size_t i = 0; i < star_size_; ++i) {
-        const Rim& rim = rims_[i];
-        const std::uint32_t a = planes_.corner[0][i];
-        const std::uint32_t b = planes_.corner[1][i];
-        const std::uint32_t c = planes_.corner[2][i];
-        Facet& facet = facets_[star_[i]];
-        facet.vertex = {site, rim.vertex[0], rim.vertex[1], rim.vertex[2]};
-        facet.neighbour = {rim.beyond, edges_.get(c, b), edges_.get(a, c), edges_.get(b, a)};
-        facet.plane = planes_[i];
+void LiftedHull::make_facets(Index site) {
+    for (std::size_t i = 0; i < star_.facet_count; ++i) {
+        const std::uint32_t a = star_.planes.corner[0][i];
+        const std::uint32_t b = star_.planes.corner[1][i];
+        const std::uint32_t c = star_.planes.corner[2][i];
+        const Index beyond = star_.beyond[i];
+        Facet& facet = facets_[star_.facet[i]];
+        facet.vertex = {site, star_.vertex[a], star_.vertex[b], star_.vertex[c]};
+        facet.neighbour = {beyond, edges_.get(c, b), edges_.get(a, c), edges_.get(b, a)};
+        facet.plane = star_.planes[i];
         if (sites_.exact_only) facet.plane.normal_error = std::numeric_limits<float>::infinity();
         facet.mark = 0;
         facet.outside = none;
-        facets_[rim.beyond / 4].neighbour[rim.beyond % 4] = 4 * star_[i];
+        facets_[beyond / 4].neighbour[beyond % 4] = 4 * star_.facet[i];
     }
 }
 
 void LiftedHull::insert(Index site, Index facet) {
-    find_cavity(site, facet);
+    begin_cavity(facet);
+    find_cavity(site);
     take_slots();
-    number_star_vertices(site);
-    make_star(site);
+    note_edges();
+    make_planes(star_.position, star_.planes, star_.facet_count);
+    make_facets(site);
 }
 
 }

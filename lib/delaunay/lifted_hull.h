@@ -37,7 +37,7 @@ public:
     void insert(Index site, Index facet);
 
     [[nodiscard]] bool sees(Index site, Index facet);
-    [[nodiscard]] bool sees_certainly(Index site, Index facet) const { return plane_side(site, facet) > 0; }
+    [[nodiscard]] bool sees_certainly(Index site, Index facet) const { return plane_side(site, facets_[facet]) > 0; }
 
     [[nodiscard]] std::span<const Facet> facets() const { return facets_; }
     [[nodiscard]] std::span<Facet> facets() { return facets_; }
@@ -46,43 +46,35 @@ public:
     [[nodiscard]] bool is_infinite(Index facet) const { return infinite_corner(facets_[facet]) != 0; }
 
     // Of the last insertion (or start): the new facets, their planes, and the outside sets of those that went.
-    [[nodiscard]] std::span<const Index> star() const { return {star_.data(), star_size_}; }
-    [[nodiscard]] const StarPlanes& star_planes() const { return planes_; }
+    [[nodiscard]] std::span<const Index> star() const { return {star_.facet.data(), star_.facet_count}; }
+    [[nodiscard]] const StarPlanes& star_planes() const { return star_.planes; }
     [[nodiscard]] std::span<const Index> orphans() const { return orphans_; }
 
     [[nodiscard]] std::uint64_t uncertain_tests() const { return uncertain_tests_; }
     [[nodiscard]] std::uint64_t tie_tests() const { return tie_tests_; }
 
 private:
-    // A triangle between the facets a site sees and the rest: seen from inside, and the facet beyond.
-    struct Rim {
-        std::array<Index, 3> vertex;
-        Index beyond;
-    };
-
     [[nodiscard]] int infinite_corner(const Facet& facet) const;
-    [[nodiscard]] int plane_side(Index site, Index facet) const;
+    [[nodiscard]] int plane_side(Index site, const Facet& facet) const;
     [[nodiscard]] bool sees_exactly(Index site, const Facet& facet);
-    void find_cavity(Index site, Index facet);
-    void number_star_vertices(Index site);
-    void take_slots();
-    void make_star(Index site);
     void set_simplex_plane(Facet& facet);
-    [[nodiscard]] std::uint32_t local_number(Index vertex, const Site& origin);
+    void begin_cavity(Index facet);
+    void find_cavity(Index site);
+    void number_vertex(Index vertex, const Site& origin);
+    void take_slots();
+    void note_edges();
+    void make_facets(Index site);
 
     Sites& sites_;
     std::vector<Facet> facets_;
     std::vector<Index> free_;
     std::uint32_t insertion_ = 0;
 
+    // Facets the site at hand sees, as 4 * facet + a corner; all others of its corners belong to facets before it.
     std::vector<Index> cavity_;
-    std::vector<Rim> rims_;
-    std::vector<Index> star_;
-    std::size_t star_size_ = 0;
+    std::size_t cavity_size_ = 0;
     std::vector<Index> orphans_;
-    StarVertices vertices_;
-    std::uint32_t vertex_count_ = 0;
-    StarPlanes planes_;
+    Star star_;
     EdgeTable edges_;
 
     std::uint64_t uncertain_tests_ = 0;
@@ -94,15 +86,14 @@ inline int LiftedHull::infinite_corner(const Facet& facet) const {
     return facet.vertex[3] == infinity ? 3 : facet.vertex[2] == infinity ? 2 : facet.vertex[1] == infinity ? 1 : 0;
 }
 
-inline int LiftedHull::plane_side(Index site, Index facet) const {
-    const Facet& f = facets_[facet];
-    const Site& origin = sites_.at[f.vertex[0]];
+inline int LiftedHull::plane_side(Index site, const Facet& facet) const {
+    const Site& origin = sites_.at[facet.vertex[0]];
     const Site& point = sites_.at[site];
-    return f.plane.side(point.x - origin.x, point.y - origin.y, point.z - origin.z);
+    return facet.plane.side(point.x - origin.x, point.y - origin.y, point.z - origin.z);
 }
 
 inline bool LiftedHull::sees(Index site, Index facet) {
-    const int side = plane_side(site, facet);
+    const int side = plane_side(site, facets_[facet]);
     return side != 0 ? side > 0 : sees_exactly(site, facets_[facet]);
 }
 

@@ -2,8 +2,9 @@
 #include "delaunay/outside_sets.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "core/error.h"
+#include "delaunay/walk.h"
 
 namespace crumple::delaunay {
 
@@ -29,9 +30,6 @@ void OutsideSets::insert_all(const Context& context) {
     }
 }
 
-// Every site that saw a facet that went sees a facet of the star: were it to see none, the star would stay in the
-// triangulation with both sites, and so would the facets that the other site's own star replaces, yet both cover the
-// facet that went.
 void OutsideSets::hand_over(Index inserted) {
     star_farthest_.assign(hull_.star().size(), 0.0f);
     heights_.resize(std::max(heights_.size(), hull_.star().size()));
@@ -45,23 +43,16 @@ void OutsideSets::hand_over(Index inserted) {
 }
 
 void OutsideSets::place_on_star(Index site, Index inserted) {
-    std::size_t best = highest_star_facet(site, inserted);
     const auto star = hull_.star();
-    if (!hull_.sees(site, star[best])) {
-        best = 0;
-        while (best < star.size() && !hull_.sees(site, star[best])) ++best;
-        CRUMPLE_CHECK(best < star.size(), "a waiting site sees no facet of the star");
+    std::size_t best = highest_star_facet(site, inserted);
+    if (!hull_.sees_certainly(site, star[best])) {
+        // Any facet that is seen will do. Of points on a sphere all tets of a star are doubtful, hull faces are not.
+        return add(site, walk_to_seen_facet(hull_, site, star[best]));
     }
     Facet& facet = hull_.facets()[star[best]];
     const float height = heights_[best];
-    if (facet.outside == none) {
-        stack_.push_back(star[best]);
-        facet.outside = site;
-        next_[site] = none;
-        star_farthest_[best] = height;
-    } else if (height > star_farthest_[best]) {
-        next_[site] = facet.outside;
-        facet.outside = site;
+    if (facet.outside == none || height > star_farthest_[best]) {
+        add(site, star[best]);
         star_farthest_[best] = height;
     } else {
         next_[site] = next_[facet.outside];
@@ -69,18 +60,21 @@ void OutsideSets::place_on_star(Index site, Index inserted) {
     }
 }
 
+// By height less its error bound, so that a facet that is certainly seen wins over a doubtful one.
 std::size_t OutsideSets::highest_star_facet(Index site, Index inserted) {
     const Site& p = hull_.sites().at[site];
     const Site& origin = hull_.sites().at[inserted];
     const auto dx = static_cast<float>(p.x - origin.x);
     const auto dy = static_cast<float>(p.y - origin.y);
     const auto dz = static_cast<float>(p.z - origin.z);
+    const float span = std::fabs(dx) + std::fabs(dy) + std::fabs(dz);
     const float square = dx * dx + dy * dy + dz * dz;
     const StarPlanes& planes = hull_.star_planes();
     const std::size_t count = hull_.star().size();
     for (std::size_t i = 0; i < count; ++i) {
         heights_[i] = planes.normal[0][i] * dx + planes.normal[1][i] * dy + planes.normal[2][i] * dz +
-                      planes.curvature[i] * square;
+                      planes.curvature[i] * square -
+                      (planes.normal_error[i] * span + planes.curvature_error[i] * square);
     }
     return static_cast<std::size_t>(std::max_element(heights_.begin(), heights_.begin() + count) - heights_.begin());
 }

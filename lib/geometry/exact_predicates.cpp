@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/clones.h"
+#include "geometry/double_double.h"
 #include "geometry/exact_integer.h"
 
 namespace crumple::exact {
@@ -99,6 +101,20 @@ Product squared_length(const Row& a) {
     return Product(a[0]) * a[0] + Product(a[1]) * a[1] + Product(a[2]) * a[2];
 }
 
+// The 4x4 determinant of the rows (p, |p|^2) expanded along its last column, with the sign of in_sphere. Minors share
+// their 2x2 determinants in x and y.
+template <class Product, class Rows>
+Product in_sphere_determinant(const Rows& p) {
+    const auto xy = [&p](int i, int j) { return Product(p[i][0]) * p[j][1] - Product(p[i][1]) * p[j][0]; };
+    const Product ab = xy(0, 1), bc = xy(1, 2), cd = xy(2, 3), da = xy(3, 0), ac = xy(0, 2), bd = xy(1, 3);
+    const Product bcd = cd * p[1][2] - bd * p[2][2] + bc * p[3][2];
+    const Product acd = cd * p[0][2] + da * p[2][2] + ac * p[3][2];
+    const Product abd = bd * p[0][2] + da * p[1][2] + ab * p[3][2];
+    const Product abc = bc * p[0][2] - ac * p[1][2] + ab * p[2][2];
+    return (squared_length<Product>(p[0]) * bcd - squared_length<Product>(p[1]) * acd) +
+           (squared_length<Product>(p[2]) * abd - squared_length<Product>(p[3]) * abc);
+}
+
 // A signed sum of products of two int128, in 256 bits, two's complement.
 class Sum256 {
 public:
@@ -132,16 +148,78 @@ private:
 
 int sign_of(Int128 value) { return (value > 0) - (value < 0); }
 
+// The double-double rung. Every monomial passes through at most 17 operations (see predicates.cpp) of relative error
+// 2^-102, so 2^-97 of the sum of magnitudes is a safe bound; underflow as in predicates.cpp.
+constexpr double double_double_bound = 0x1p-97;
+constexpr double largest_difference = 0x1p150;
+constexpr double underflow_bound = 0x1p-600;
+
+template <int N>
+using DoubleDoubles = std::array<std::array<DoubleDouble, 3>, N>;
+
+template <int N>
+DoubleDoubles<N> double_double_differences(const std::array<Vec3, N>& points, Vec3 origin) {
+    DoubleDoubles<N> result;
+    for (int i = 0; i < N; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            result[i][axis] = DoubleDouble::difference(points[i][axis], origin[axis]);
+        }
+    }
+    return result;
+}
+
+int certain_sign(DoubleDouble value, double magnitude, double largest) {
+    const double bound = double_double_bound * magnitude + underflow_bound;
+    if (!(largest <= largest_difference)) return 0;
+    return (value.high > bound) - (value.high < -bound);
+}
+
+// The largest component, and 6 * |a|_m |b|_m |c|_m >= the sum of a determinant's magnitudes.
+double largest_component(const std::array<DoubleDouble, 3>& a) {
+    return std::max(std::max(std::fabs(a[0].high), std::fabs(a[1].high)), std::fabs(a[2].high));
+}
+
+CRUMPLE_CLONES("fma", "default")
+int double_double_orient3d(const std::array<Vec3, 3>& points, Vec3 origin) {
+    const auto p = double_double_differences<3>(points, origin);
+    const double a = largest_component(p[0]);
+    const double b = largest_component(p[1]);
+    const double c = largest_component(p[2]);
+    return certain_sign(determinant3<DoubleDouble>(p[0], p[1], p[2]), 8 * a * b * c, std::max(std::max(a, b), c));
+}
+
+CRUMPLE_CLONES("fma", "default")
+int double_double_in_sphere(const std::array<Vec3, 4>& points, Vec3 origin) {
+    const auto p = double_double_differences<4>(points, origin);
+    const double a = largest_component(p[0]);
+    const double b = largest_component(p[1]);
+    const double c = largest_component(p[2]);
+    const double d = largest_component(p[3]);
+    const double largest = std::max(std::max(a, b), std::max(c, d));
+    // Four products of |p|^2 <= 3 m^2 with a determinant <= 6 m m m.
+    return certain_sign(in_sphere_determinant<DoubleDouble>(p), 20 * a * b * c * d * (a + b + c + d), largest);
+}
+
+// True when all differences vanish along one axis: points of an axis-aligned plane, the commonest zero.
+template <int N>
+bool are_in_axis_plane(const std::array<Vec3, N>& points, Vec3 origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::all_of(points.begin(), points.end(), [&](Vec3 p) { return p[axis] == origin[axis]; })) return true;
+    }
+    return false;
+}
+
 }
 
 int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const std::array<Vec3, 3> points{b, c, d};
+    if (are_in_axis_plane<3>(points, a)) return 0;
     if (const auto p = local_integers<3>(points, a)) return sign_of(determinant3<Int128>((*p)[0], (*p)[1], (*p)[2]));
+    if (const int sign = double_double_orient3d(points, a)) return sign;
     const auto p = wide_integers<3>(points, a);
     return determinant3<ExactInteger>(p[0], p[1], p[2]).sign();
 }
 
-// The 4x4 determinant of the rows (p - e, |p - e|^2), expanded along its last column; its sign is that of in_sphere.
 int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
     const std::array<Vec3, 4> points{a, b, c, d};
     if (const auto local = local_integers<4>(points, e)) {
@@ -154,12 +232,8 @@ int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
         sum.add_product(squared_length<Int128>(p[3]), determinant3<Int128>(p[0], p[2], p[1]));
         return sum.sign();
     }
-    const auto p = wide_integers<4>(points, e);
-    return (squared_length<ExactInteger>(p[0]) * determinant3<ExactInteger>(p[1], p[2], p[3]) +
-            squared_length<ExactInteger>(p[1]) * determinant3<ExactInteger>(p[0], p[3], p[2]) +
-            squared_length<ExactInteger>(p[2]) * determinant3<ExactInteger>(p[0], p[1], p[3]) +
-            squared_length<ExactInteger>(p[3]) * determinant3<ExactInteger>(p[0], p[2], p[1]))
-        .sign();
+    if (const int sign = double_double_in_sphere(points, e)) return sign;
+    return in_sphere_determinant<ExactInteger>(wide_integers<4>(points, e)).sign();
 }
 
 bool are_collinear(Vec3 a, Vec3 b, Vec3 c) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/predicates.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/exact_predicates.h"
@@ -30,7 +31,7 @@ constexpr double exact_in_sphere_grains = 0x1p9;
 
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
-double largest_component(Vec3 a) { return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z)); }
+double largest_component(Vec3 a) { return std::max(std::max(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z)); }
 
 // The plain sum of products and the sum of their magnitudes.
 struct Sum {
@@ -60,7 +61,7 @@ int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double grain) {
     const Vec3 r = d - a;
     const Sum det = determinant3(p, cross_xy(q, r), q, cross_xy(r, p), r, cross_xy(p, q));
     const double bound = orient3d_bound * det.magnitude + underflow_bound;
-    const double largest = std::fmax(largest_component(p), std::fmax(largest_component(q), largest_component(r)));
+    const double largest = std::max(largest_component(p), std::max(largest_component(q), largest_component(r)));
     if (largest <= largest_difference) {
         if (det.value > bound) return 1;
         if (det.value < -bound) return -1;
@@ -84,8 +85,8 @@ int in_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e, double grain) {
     const double magnitude =
         dot(p, p) * qrs.magnitude + dot(q, q) * psr.magnitude + dot(r, r) * pqs.magnitude + dot(s, s) * prq.magnitude;
     const double bound = in_sphere_bound * magnitude + underflow_bound;
-    const double largest = std::fmax(std::fmax(largest_component(p), largest_component(q)),
-                                     std::fmax(largest_component(r), largest_component(s)));
+    const double largest = std::max(std::max(largest_component(p), largest_component(q)),
+                                     std::max(largest_component(r), largest_component(s)));
     if (largest <= largest_difference) {
         if (det > bound) return 1;
         if (det < -bound) return -1;
