@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/watertight.h"
+
 namespace crumple::sample {
 
 namespace {
@@ -31,24 +33,6 @@ double rounding_of(const Box& box) {
         largest = std::max({largest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
     }
     return 1.8 * largest * 0x1p-24;
-}
-
-// Every edge is run through as often one way as the other. Then the winding number is a whole number everywhere off the
-// surface and changes only across it.
-bool has_no_boundary(const Shell& shell) {
-    std::vector<Edge> forward;
-    std::vector<Edge> backward;
-    for (const Triangle& triangle : shell.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const Index a = triangle[corner];
-            const Index b = triangle[(corner + 1) % 3];
-            if (a < b) forward.push_back({a, b});
-            if (b < a) backward.push_back({b, a});
-        }
-    }
-    std::sort(forward.begin(), forward.end());
-    std::sort(backward.begin(), backward.end());
-    return forward == backward;
 }
 
 std::vector<std::uint8_t> fillable_components(const Shell& shell) {
@@ -91,7 +75,7 @@ Space::Space(const Shell& shell, std::vector<double> factor)
       vertex_tree_(boxes_of(shell.positions)),
       box_(box_of_triangles(shell)),
       rounding_(rounding_of(box_)),
-      is_watertight_(has_no_boundary(shell)),
+      is_watertight_(crumple::is_watertight(shell.triangles)),
       fillable_(fillable_components(shell)),
       sizes_(mean_edge_lengths(shell)),
       factors_(std::move(factor)),
