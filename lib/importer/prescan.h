@@ -7,14 +7,23 @@
 #include <vector>
 
 #include "core/vec3.h"
+#include "importer/scene.h"
 
 namespace crumple::importer {
 
 enum class Purpose { shell, visual };
 
+// A number of the text: the nearest float, and what assimp's parser makes of it.
+struct ReadNumber {
+    float read = 0;
+    float exact = 0;
+};
+
 struct Prescan {
     std::vector<Vec3f> positions;         // the file's vertices in order, nearest float; empty: nothing to restore
     std::vector<Vec3f> assimp_positions;  // OBJ: the same as assimp's parser reads them, by which its corners are found
+    std::vector<ReadNumber> numbers;      // every number of other text formats, ascending by read, then exact
+    std::vector<Affine> transforms;       // glTF: of its nodes
     std::uint64_t expected_triangles = 0;  // from polygon sizes, 0: not counted
 };
 
@@ -31,5 +40,8 @@ struct Prescan {
 
 // Binary glTF: the chunks fit the file. Both: version 2, no accessor reaches beyond its buffer.
 [[nodiscard]] Prescan prescan_gltf(std::string_view bytes);
+
+// Collects the numbers of COLLADA, X, and of FBX and STL where they are text; never throws.
+[[nodiscard]] Prescan prescan_numbers(std::string_view bytes);
 
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "core/error.h"
 #include "core/index.h"
 #include "importer/prescan.h"
+#include "importer/printable.h"
 
 namespace crumple::importer {
 
@@ -133,6 +136,42 @@ std::uint64_t accessor_count(const Json& document, std::uint64_t index) {
     return number(accessors[index], "count", 0);
 }
 
+// COUNT real numbers under a key, or those given where the key is absent.
+template <std::size_t count>
+std::array<double, count> reals(const Json& object, const char* name, std::array<double, count> values) {
+    const auto found = object.find(name);
+    if (found == object.end()) return values;
+    const bool fits = found->is_array() && found->size() == count &&
+                      std::all_of(found->begin(), found->end(), [](const Json& value) { return value.is_number(); });
+    if (!fits) refuse(std::string("a node's ") + name + " is not " + std::to_string(count) + " numbers");
+    for (std::size_t i = 0; i < count; ++i) values[i] = (*found)[i].get<double>();
+    return values;
+}
+
+// glTF 2.0, section 3.5.3: a column-major matrix, or translation * rotation * scale.
+Affine transform_of(const Json& node) {
+    if (!node.is_object()) refuse("a node is not an object");
+    if (node.contains("matrix")) {
+        const auto m = reals<16>(node, "matrix", {});
+        return {m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]};
+    }
+    const auto t = reals<3>(node, "translation", {0, 0, 0});
+    const auto [x, y, z, w] = reals<4>(node, "rotation", {0, 0, 0, 1});
+    const auto s = reals<3>(node, "scale", {1, 1, 1});
+    return {s[0] * (1 - 2 * (y * y + z * z)), s[1] * 2 * (x * y - z * w),       s[2] * 2 * (x * z + y * w),       t[0],
+            s[0] * 2 * (x * y + z * w),       s[1] * (1 - 2 * (x * x + z * z)), s[2] * 2 * (y * z - x * w),       t[1],
+            s[0] * 2 * (x * z - y * w),       s[1] * 2 * (y * z + x * w),       s[2] * (1 - 2 * (x * x + y * y)), t[2]};
+}
+
+void check_version(const Json& document) {
+    const auto asset = document.find("asset");
+    const bool is_there = asset != document.end() && asset->is_object() && asset->contains("version");
+    const Json number = is_there ? (*asset)["version"] : Json();
+    if (number.is_string() && number.get<std::string>().starts_with("2.")) return;
+    refuse("glTF version " + in_quotes(number.is_string() ? number.get<std::string>() : "") +
+           " is not read (its colours would be lost); export glTF 2.0");
+}
+
 constexpr std::uint64_t triangles_mode = 4;
 
 std::uint64_t triangles_of(const Json& document, const Json& primitive) {
@@ -152,18 +191,15 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive) {
 
 Prescan prescan_gltf(std::string_view bytes) {
     const Json document = parse(is_binary(bytes) ? json_of_binary(bytes) : bytes);
-    const auto asset = document.find("asset");
-    const bool has_version = asset != document.end() && asset->is_object() && asset->contains("version");
-    const Json version = has_version ? (*asset)["version"] : Json();
-    if (!version.is_string() || version.get<std::string>().substr(0, 2) != "2.") {
-        refuse("glTF version " + version.dump() + " is not read (its colours would be lost); export glTF 2.0");
-    }
+    check_version(document);
     const Json& views = list(document, "bufferViews");
     for (std::size_t i = 0; i < views.size(); ++i) check_view(document, views[i], i);
     const Json& accessors = list(document, "accessors");
     for (std::size_t i = 0; i < accessors.size(); ++i) check_accessor(document, accessors[i], i);
 
     Prescan result;
+    const Json& nodes = list(document, "nodes");
+    for (const Json& node : nodes) result.transforms.push_back(transform_of(node));
     const Json& meshes = list(document, "meshes");
     for (const Json& mesh : meshes) {
         if (!mesh.is_object()) refuse("a mesh is not an object");

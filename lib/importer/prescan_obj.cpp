@@ -3,9 +3,8 @@
 #include <array>
 #include <string>
 
-#include <assimp/fast_atof.h>
-
 #include "core/error.h"
+#include "importer/assimp_number.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -71,23 +70,16 @@ Vec3f exact_position(const VertexLine& vertex, std::size_t line) {
         const std::string_view word = vertex.words[static_cast<std::size_t>(axis)];
         // Through double: a number too small for a float is 0, not an error.
         const auto value = to_number<double>(word);
-        if (!value) refuse(line, quoted(word) + " is not a number");
+        if (!value) refuse(line, in_quotes(word) + " is not a number");
         position[axis] = static_cast<float>(*value);
     }
     return position;
 }
 
-// What assimp's parser throws; its own exception type is not exported from the library.
-struct NoNumber {
-    template <class... Parts>
-    explicit NoNumber(Parts&&...) {}
-};
-
-Vec3f assimp_position(const VertexLine& vertex) {
+Vec3f assimp_position(const VertexLine& vertex, Vec3f exact) {
     Vec3f position;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::string word(vertex.words[static_cast<std::size_t>(axis)]);
-        position[axis] = Assimp::fast_atof<NoNumber>(word.c_str());
+        position[axis] = as_assimp_reads(vertex.words[static_cast<std::size_t>(axis)]).value_or(exact[axis]);
     }
     return position;
 }
@@ -123,7 +115,7 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
         const VertexLine vertex = split(line);
         check_number_count(vertex.count, first_count, lines.number(), purpose);
         result.positions.push_back(exact_position(vertex, lines.number()));
-        result.assimp_positions.push_back(assimp_position(vertex));
+        result.assimp_positions.push_back(assimp_position(vertex, result.positions.back()));
     }
     if (result.positions.empty()) throw Error(ErrorKind::bad_input, "no `v` line: this is no OBJ file with vertices");
     return result;

@@ -50,7 +50,7 @@ Counts read_header(Lines& lines) {
     const std::string_view keyword = next_word(rest);
     if (keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF") refuse("line 1: OFF is missing");
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-        refuse("line 1: " + quoted(keyword) + " is of another dimension; only 3D is read");
+        refuse("line 1: " + in_quotes(keyword) + " is of another dimension; only 3D is read");
     }
     if (next_word(rest).empty()) {
         if (!lines.next(line)) refuse("the counts are missing");

@@ -69,14 +69,14 @@ Type type_of(std::string_view name) {
     for (const TypeName& entry : type_names) {
         if (entry.name == name) return entry.type;
     }
-    refuse("the header names an unknown type " + quoted(name));
+    refuse("the header names an unknown type " + in_quotes(name));
 }
 
 Encoding encoding_of(std::string_view name) {
     if (name == "ascii") return Encoding::ascii;
     if (name == "binary_little_endian") return Encoding::little;
     if (name == "binary_big_endian") return Encoding::big;
-    refuse("the header names an unknown format " + quoted(name));
+    refuse("the header names an unknown format " + in_quotes(name));
 }
 
 Property read_property(std::string_view line) {
@@ -96,7 +96,7 @@ Element read_element(std::string_view line) {
     Element element;
     element.name = std::string(next_word(line));
     const auto count = to_number<std::uint64_t>(next_word(line));
-    if (!count) refuse("the header does not say how many of element " + quoted(element.name) + " there are");
+    if (!count) refuse("the header does not say how many of element " + in_quotes(element.name) + " there are");
     element.count = *count;
     return element;
 }
@@ -167,7 +167,7 @@ private:
         if (word.empty())
             refuse("the file ends within " + place(element, row) + " of " + std::to_string(element.count));
         const auto value = to_number<double>(word);
-        if (!value) refuse(quoted(word) + " in " + place(element, row) + " is not a number");
+        if (!value) refuse(in_quotes(word) + " in " + place(element, row) + " is not a number");
         return *value;
     }
 
@@ -212,7 +212,7 @@ std::size_t least_size(const Element& element, Encoding encoding) {
 void check_count(const Element& element, Encoding encoding, const Body& body) {
     const std::size_t least = least_size(element, encoding);
     if (element.count == 0 || (least > 0 && element.count <= body.size_left() / least + 1)) return;
-    refuse("the header announces " + std::to_string(element.count) + " of element " + quoted(element.name) +
+    refuse("the header announces " + std::to_string(element.count) + " of element " + in_quotes(element.name) +
            ", but only " + std::to_string(body.size_left()) + " bytes follow");
 }
 

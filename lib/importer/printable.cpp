@@ -42,7 +42,7 @@ std::string printable(std::string_view name) {
     return result;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string result = "'";
     result += printable(word.substr(0, longest));

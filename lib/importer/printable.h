@@ -13,6 +13,6 @@ inline constexpr std::size_t max_name_bytes = 200;
 [[nodiscard]] std::string printable(std::string_view name);
 
 // A word of a file for a message: printable, in quotes, no longer than a message bears.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 }

@@ -30,9 +30,13 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
             return prescan_off(bytes);
         case FormatId::gltf:
             return prescan_gltf(bytes);
-        default:
-            return {};
+        case FormatId::dae:
+        case FormatId::fbx:
+        case FormatId::stl:
+        case FormatId::x:
+            return prescan_numbers(bytes);
     }
+    return {};
 }
 
 // assimp's own words, without the path some of them carry.
@@ -105,7 +109,7 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, Purpose purpose) {
     return mesh;
 }
 
-std::array<double, 12> copy_transform(const aiMatrix4x4& m, const char* node) {
+Affine copy_transform(const aiMatrix4x4& m, const char* node) {
     if (m.d1 != 0 || m.d2 != 0 || m.d3 != 0 || m.d4 != 1)
         refuse(std::string("the transform of node '") + node + "' is not affine");
     return {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4};

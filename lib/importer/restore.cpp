@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/restore.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <unordered_map>
@@ -11,6 +12,13 @@ namespace {
 
 // assimp multiplies by powf(10, exponent) in float: a few ulp off, never more than this.
 constexpr float assimp_error = 1e-5f;
+
+// Relative errors of a transform in floats: of a number that was only rounded, and of a rotation times a scale.
+constexpr double copy_error = 0x1p-23;
+constexpr double product_error = 1e-6;
+
+// Every node is compared with every transform: beyond this the floats have to do.
+constexpr std::size_t max_nodes_to_match = 2000;
 
 struct PositionHash {
     std::size_t operator()(const Vec3f& p) const {
@@ -61,9 +69,60 @@ void restore_numbers(const std::vector<Vec3f>& exact, std::vector<Vec3f>& positi
     positions = exact;
 }
 
+// The nearest float of the one number of the file that assimp reads as `read`; where several are, one cannot tell.
+float exact_of(const std::vector<ReadNumber>& numbers, float read) {
+    const auto less = [](const ReadNumber& number, float value) { return number.read < value; };
+    const auto first = std::lower_bound(numbers.begin(), numbers.end(), read, less);
+    if (first == numbers.end() || first->read != read) return read;
+    const auto next = std::next(first);
+    const bool is_only = next == numbers.end() || next->read != read;
+    return is_only && is_same_number(first->exact, read) ? first->exact : read;
+}
+
+void restore_by_value(const std::vector<ReadNumber>& numbers, Scene& scene) {
+    for (SceneMesh& mesh : scene.meshes) {
+        for (Vec3f& p : mesh.positions) {
+            for (int axis = 0; axis < 3; ++axis) p[axis] = exact_of(numbers, p[axis]);
+        }
+    }
+}
+
+// How far b is from a, 1: as far as floats can have taken it. Translations are copied, the rest is a product of a few.
+double difference(const Affine& a, const Affine& b) {
+    double linear_scale = 0;
+    double linear = 0;
+    double translation = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double apart = std::fabs(a[i] - b[i]);
+        if (i % 4 == 3) {
+            translation = std::fmax(translation, apart == 0 ? 0 : apart / (copy_error * std::fabs(a[i])));
+        } else {
+            linear = std::fmax(linear, apart);
+            linear_scale = std::fmax(linear_scale, std::fabs(a[i]));
+        }
+    }
+    return std::fmax(translation, linear == 0 ? 0 : linear / (product_error * linear_scale));
+}
+
+// Each node takes the nearest of the file's transforms, if that is what assimp's floats can have come from.
+void restore_transforms(const std::vector<Affine>& transforms, Scene& scene) {
+    if (transforms.size() > max_nodes_to_match) return;
+    for (SceneNode& node : scene.nodes) {
+        const Affine read = node.transform;
+        double nearest = 1;
+        for (const Affine& exact : transforms) {
+            if (difference(exact, read) >= nearest) continue;
+            nearest = difference(exact, read);
+            node.transform = exact;
+        }
+    }
+}
+
 }
 
 void restore(Prescan scan, Scene& scene) {
+    restore_by_value(scan.numbers, scene);
+    restore_transforms(scan.transforms, scene);
     if (!scan.assimp_positions.empty()) {
         restore_vertex_list(std::move(scan), scene);
     } else if (!scan.positions.empty() && scene.meshes.size() == 1) {

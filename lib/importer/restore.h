@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Puts back what assimp lost of a text file: exact numbers, and for OBJ the file's own vertex list.
+// Puts back what assimp lost of a file: numbers of text to the last bit, for OBJ the file's own vertex list, for glTF
+// the double precision of node transforms.
 #pragma once
 #include "importer/prescan.h"
 #include "importer/scene.h"

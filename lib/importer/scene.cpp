@@ -124,7 +124,7 @@ SceneNode read_node(Reader& in) {
     SceneNode node;
     node.name = printable(in.text());
     node.parent = in.number<Index>();
-    node.transform = in.number<std::array<double, 12>>();
+    node.transform = in.number<Affine>();
     node.meshes = in.array<Index>();
     return node;
 }

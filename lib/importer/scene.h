@@ -16,6 +16,7 @@
 namespace crumple::importer {
 
 using Color = std::array<float, 4>;
+using Affine = std::array<double, 12>;  // 3 x 4 row-major
 
 struct SceneMesh {
     std::string name;
@@ -30,8 +31,8 @@ struct SceneMesh {
 
 struct SceneNode {
     std::string name;
-    Index parent = none;                                                   // an earlier node
-    std::array<double, 12> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // 3 x 4 row-major, to the parent's space
+    Index parent = none;                                   // an earlier node
+    Affine transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // to the parent's space
     std::vector<Index> meshes;
 };
 

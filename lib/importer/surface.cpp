@@ -11,8 +11,6 @@ namespace crumple::importer {
 
 namespace {
 
-using Affine = std::array<double, 12>;  // 3 x 4 row-major
-
 Affine compose(const Affine& outer, const Affine& inner) {
     Affine result{};
     for (std::size_t row = 0; row < 3; ++row) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A number of a text file as assimp's own parser reads it: up to a few ulp off the nearest float. By this value what it
+// delivers is recognized again.
+#pragma once
+#include <optional>
+#include <string_view>
+
+namespace crumple::importer {
+
+// Nothing where assimp would not see a number either.
+[[nodiscard]] std::optional<float> as_assimp_reads(std::string_view word);
+
+}
