@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "solver/constraints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crumple::solver {
+namespace {
+
+// The taken directions of a constraint, orthonormal; taken_count 0 when they have no length or are parallel.
+Partial directions_of(const Constraint& c) {
+    Partial partial{c.node, 0, {}, {}};
+    const float normal_length = length(c.normal);
+    if (!(normal_length > 0) || !std::isfinite(normal_length)) return partial;
+    partial.taken = c.normal / normal_length;
+    if (c.kind == ConstraintKind::plane) {
+        partial.taken_count = 1;
+        return partial;
+    }
+    const Vec3f second = c.second - partial.taken * dot(partial.taken, c.second);
+    const float second_length = length(second);
+    if (!(second_length > 1e-4f * length(c.second)) || !std::isfinite(second_length)) return partial;
+    partial.also_taken = second / second_length;
+    partial.taken_count = 2;
+    return partial;
+}
+
+bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// The part of v along the taken directions.
+Vec3f taken_part(const Partial& p, Vec3f v) {
+    Vec3f part = p.taken * dot(p.taken, v);
+    if (p.taken_count == 2) part += p.also_taken * dot(p.also_taken, v);
+    return part;
+}
+
+bool is_usable(const Constraint& c, std::size_t node_count) {
+    if (c.node >= node_count || !is_finite(c.velocity)) return false;
+    return c.kind == ConstraintKind::fixed || directions_of(c).taken_count > 0;
+}
+
+Mat3 block_matrix(const float* block) {
+    Mat3 a;
+    for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r) a(r, c) = block[3 * c + r];
+    }
+    return a;
+}
+
+// (S A S + (I - S))^-1 - (I - S): the inverse of A on the free directions, 0 on the taken ones. The taken directions
+// get the size of A rather than 1, so that the sum is well scaled.
+Mat3 free_inverse(const Partial& p, const Mat3& a) {
+    Mat3 taken = outer(p.taken, p.taken);
+    if (p.taken_count == 2) taken = taken + outer(p.also_taken, p.also_taken);
+    const Mat3 free = Mat3::identity() - taken;
+    const float size = trace(a) / 3;
+    const Mat3 filled = free * a * free + taken * size;
+    const float det = determinant(filled);
+    if (!(det > 0)) return {};
+    return transpose(cofactor(filled)) * (1 / det) - taken * (1 / size);
+}
+
+void write_inverse(const Mat3& a, float* inverse) {
+    for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r) inverse[16 * c + r] = a(r, c);
+    }
+}
+
+// Row `node` of A dv - b.
+Vec3f unbalanced(const Model& model, const Workspace& w, Index node) {
+    Vec3f sum = -Vec3f{w.load[4 * node], w.load[4 * node + 1], w.load[4 * node + 2]};
+    for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
+        const float* dv = &w.change[4 * static_cast<std::size_t>(model.bundle.column[k])];
+        sum += block_matrix(&w.blocks[9 * static_cast<std::size_t>(k)]) * Vec3f{dv[0], dv[1], dv[2]};
+    }
+    return sum;
+}
+
+}
+
+ConstraintCounts gather_constraints(const Model& model, Workspace& w, const StepInput& input) {
+    ConstraintCounts counts;
+    std::copy(model.bundle.locked.begin(), model.bundle.locked.end(), w.is_fixed.begin());
+    std::fill(w.constraint.begin(), w.constraint.end(), 0u);
+    for (std::size_t i = 0; i < input.constraints.size(); ++i) {
+        const Constraint& c = input.constraints[i];
+        if (!is_usable(c, model.node_count)) {
+            counts.has_bad = true;
+            continue;
+        }
+        w.constraint[c.node] = static_cast<Index>(i + 1);
+        w.is_fixed[c.node] = c.kind == ConstraintKind::fixed;
+    }
+    for (std::size_t i = 0; i < input.constraints.size(); ++i) {
+        const Constraint& c = input.constraints[i];
+        if (c.kind == ConstraintKind::fixed || c.node >= model.node_count || w.constraint[c.node] != i + 1) continue;
+        w.partials[counts.partial++] = directions_of(c);
+    }
+    // Pieces of the solve look up theirs by node.
+    std::sort(w.partials.begin(), w.partials.begin() + static_cast<std::ptrdiff_t>(counts.partial),
+              [](const Partial& a, const Partial& b) { return a.node < b.node; });
+    return counts;
+}
+
+Vec3f constrained_velocity(const Workspace& w, const StepInput& input, Index node, Vec3f v) {
+    const Index row = w.constraint[node];
+    if (row == 0) return w.is_fixed[node] ? Vec3f{} : v;
+    const Constraint& c = input.constraints[row - 1];
+    if (c.kind == ConstraintKind::fixed) return c.velocity;
+    return v + taken_part(directions_of(c), c.velocity - v);
+}
+
+void keep_free_part(const Partial& partial, float* row) {
+    const Vec3f v{row[0], row[1], row[2]};
+    const Vec3f kept = v - taken_part(partial, v);
+    for (int i = 0; i < 3; ++i) row[i] = kept[i];
+}
+
+void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_count) {
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        if (w.is_fixed[node]) write_inverse({}, &w.inverse[inverse_at(node)]);
+    }
+    for (const Partial& partial : w.partials.first(partial_count)) {
+        const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);
+        write_inverse(free_inverse(partial, a), &w.inverse[inverse_at(partial.node)]);
+    }
+}
+
+void write_reactions(const Model& model, const Workspace& w, std::size_t partial_count, const StepInput& input) {
+    for (Index node = 0; node < model.node_count; ++node) {
+        input.reactions[node] = w.is_fixed[node] ? unbalanced(model, w, node) / input.dt : Vec3f{};
+    }
+    for (const Partial& partial : w.partials.first(partial_count)) {
+        input.reactions[partial.node] = taken_part(partial, unbalanced(model, w, partial.node)) / input.dt;
+    }
+}
+
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Constraints by projection: the solve stays symmetric and positive definite on what they leave free
+// [Baraff, Witkin 1998, "Large steps in cloth simulation"; Ascher, Boxerman 2003, "On the modified conjugate gradient
+// method in cloth simulation"].
+#pragma once
+#include "solver/step.h"
+
+namespace crumple::solver {
+
+struct ConstraintCounts {
+    std::size_t partial = 0;  // of Workspace::partials
+    bool has_bad = false;
+};
+
+// Enters the step's constraints into is_fixed, constraint and partials.
+ConstraintCounts gather_constraints(const Model& model, Workspace& workspace, const StepInput& input);
+
+// The velocity a node starts the solve with: v where it is free, what is prescribed where it is not.
+[[nodiscard]] Vec3f constrained_velocity(const Workspace& workspace, const StepInput& input, Index node, Vec3f v);
+
+// Takes the constrained directions out of a row of four floats.
+void keep_free_part(const Partial& partial, float* row);
+
+// Preconditioners of constrained nodes: 0 where fixed, the inverse on the free directions where partly free.
+void constrain_inverse(const Model& model, Workspace& workspace, std::size_t partial_count);
+
+// A dv - b of the constrained directions over dt.
+void write_reactions(const Model& model, const Workspace& workspace, std::size_t partial_count, const StepInput& input);
+
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The loops of a step, one table per instruction set. Every loop runs over part of its range, writes only to its own
+// part and so gives the same bits however the range is divided among threads. Vectors of nodes hold four floats a node.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "core/fields.h"
+#include "core/index.h"
+#include "solver/element_data.h"
+
+namespace crumple::solver {
+
+enum class Isa { automatic, scalar, avx2, avx512 };
+inline constexpr EnumName<Isa> isa_names[] = {
+    {Isa::automatic, "automatic"}, {Isa::scalar, "scalar"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}};
+constexpr std::span<const EnumName<Isa>> enum_names(Isa) { return isa_names; }
+
+// Gradients and forces of the corners, from the positions. Over packets.
+struct ElementJob {
+    const TetPacket* packets;
+    TetState* states;
+    TetShape* shapes;  // null unless plasticity is multiplicative
+    const float* positions;
+    const float* velocities;
+    float* gradients;  // per tet and corner: sqrt(V mu (beta dt + dt^2)) R g, and lambda / mu
+    float* forces;     // per tet and corner: dt times the force at x + (beta + dt) v
+    const StepMaterial* materials;
+    ElementSettings settings;
+};
+struct ElementCounts {
+    std::uint32_t degenerate = 0;
+    std::uint32_t yielding = 0;
+};
+
+// Right-hand side b - A v of the solve for the change of velocity. Over nodes.
+struct LoadJob {
+    const Index* node_start;   // N + 1
+    const Index* node_corner;  // 4 tet + corner
+    const float* forces;
+    const float* outside;  // N x 4: dt (gravity and user forces) - dt alpha m v + m (v before constraints - v)
+    float* load;           // N x 4
+};
+
+// Off-diagonal blocks. Over edges.
+struct EdgeJob {
+    const Index* edge_start;
+    const Index* incidence;   // 16 tet + 4 corner of i + corner of j
+    const Index* edge_slots;  // 2 per edge: block of (i, j) and of (j, i)
+    const float* gradients;
+    float* blocks;
+    float ratio;  // lambda / mu where it is the same everywhere
+    bool is_uniform;
+};
+
+// Diagonal blocks and their inverses. Over nodes.
+struct RowJob {
+    const Index* row_start;
+    const Index* diagonal;
+    const float* damped_mass;  // N: (1 + alpha dt) m
+    float* blocks;
+    float* inverse;  // columns of the inverse diagonal blocks: 4 nodes x 3 columns x 4, see inverse_at()
+};
+
+// Conjugate gradients for A dv = load.
+struct SolveJob {
+    const Index* row_start;
+    const Index* column;
+    const std::uint8_t* is_fixed;  // N: the row has no freedom
+    const float* blocks;
+    const float* inverse;
+    float* change;     // dv
+    float* residual;   // r
+    float* precise;    // z = P r
+    float* direction;  // p
+    float* product;    // q = A p
+};
+
+// Offset of column 0 of a node's inverse diagonal block; column c is 16 c floats further.
+constexpr std::size_t inverse_at(std::size_t node) { return node / 4 * 48 + node % 4 * 4; }
+
+struct Kernels {
+    ElementCounts (*elements)(const ElementJob&, std::size_t begin, std::size_t end);
+    void (*rotations)(RotationPacket*, std::size_t begin, std::size_t end);
+    void (*loads)(const LoadJob&, std::size_t begin, std::size_t end);
+    void (*edges)(const EdgeJob&, std::size_t begin, std::size_t end);
+    void (*rows)(const RowJob&, std::size_t begin, std::size_t end);
+    void (*multiply)(const SolveJob&, std::size_t begin, std::size_t end);            // q = A p
+    double (*product_dot)(const SolveJob&, std::size_t begin, std::size_t end);       // p . q
+    double (*start)(const SolveJob&, std::size_t begin, std::size_t end);             // z = P r, p = z: r . z
+    double (*descend)(const SolveJob&, float a, std::size_t begin, std::size_t end);  // dv += a p ...: r . z
+    void (*turn)(const SolveJob&, float b, std::size_t begin, std::size_t end);       // p = z + b p
+};
+
+// What the processor can run, at most `wanted`.
+[[nodiscard]] Isa best_isa(Isa wanted = Isa::automatic);
+[[nodiscard]] const Kernels& kernels(Isa isa);
+
+extern const Kernels scalar_kernels;
+#ifdef CRUMPLE_X86
+extern const Kernels avx2_kernels;
+extern const Kernels avx512_kernels;
+#endif
+
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#define CRUMPLE_LANES scalar
+// The lanes come first: the kernels below are written in their terms.
+#include "solver/lanes_scalar.h"
+
+#include "solver/degenerate.h"
+#include "solver/element_lane.h"
+#include "solver/kernels.h"
+
+#include "solver/kernel_rotation.h"
+
+#include "solver/kernel_elements.h"
+#include "solver/kernel_nodes.h"
+
+namespace crumple::solver {
+
+const Kernels scalar_kernels = {
+    scalar::step_elements, scalar::extract_rotations, scalar::gather_loads, scalar::assemble_edges, scalar::finish_rows,
+    scalar::multiply,      scalar::product_dot,       scalar::start,        scalar::descend,        scalar::turn};
+
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "solver/measure.h"
+
+namespace crumple::solver {
+namespace {
+
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+double strain_energy(const TetPacket& packet, const TetState& state, std::size_t lane, const Mat3& f, const Mat3& r) {
+    const Mat3 s = transpose(r) * f;
+    const int rows[6] = {0, 1, 2, 0, 0, 1};
+    const int columns[6] = {0, 1, 2, 1, 2, 2};
+    double squared = 0;
+    double trace_e = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double unit = i < 3 ? 1 : 0;
+        const double e = 0.5 * (static_cast<double>(s(rows[i], columns[i])) + s(columns[i], rows[i])) - unit -
+                         state.plastic[i][lane];
+        squared += (i < 3 ? 1 : 2) * e * e;
+        if (i < 3) trace_e += e;
+    }
+    return packet.stiffness[lane] * (squared + 0.5 * packet.ratio[lane] * trace_e * trace_e);
+}
+
+}
+
+Mat3 deformation_gradient(const Model& model, const State& state, std::size_t tet) {
+    const std::size_t p = tet / packet_size;
+    const std::size_t lane = tet % packet_size;
+    const auto& rows = state.shapes.empty() ? model.packets[p].gradient : state.shapes[p].gradient;
+    Mat3 inverse_rest;
+    for (std::size_t i = 0; i < 9; ++i) inverse_rest.m[i] = rows[i][lane];
+    const Tet& t = model.bundle.tets[tet];
+    const Vec3f x0 = position(state, t[0]);
+    return Mat3::from_columns(position(state, t[1]) - x0, position(state, t[2]) - x0, position(state, t[3]) - x0) *
+           inverse_rest;
+}
+
+Mat3 rotation(const State& state, std::size_t tet) {
+    const auto& q = state.tets[tet / packet_size].rotation;
+    const std::size_t lane = tet % packet_size;
+    return to_matrix({q[0][lane], q[1][lane], q[2][lane], q[3][lane]});
+}
+
+double kinetic_energy(const Model& model, const State& state) {
+    double energy = 0;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        const Vec3 v = widen(velocity(state, node));
+        energy += 0.5 * model.bundle.mass[node] * dot(v, v);
+    }
+    return energy;
+}
+
+double elastic_energy(const Model& model, const State& state) {
+    double energy = 0;
+    for (std::size_t t = 0; t < model.tet_count; ++t) {
+        const Mat3 f = deformation_gradient(model, state, t);
+        energy += strain_energy(model.packets[t / packet_size], state.tets[t / packet_size], t % packet_size, f,
+                                rotation_svd_smallest(f, rotation(state, t)));
+    }
+    return energy;
+}
+
+Vec3 linear_momentum(const Model& model, const State& state) {
+    Vec3 sum;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        sum += widen(velocity(state, node)) * static_cast<double>(model.bundle.mass[node]);
+    }
+    return sum;
+}
+
+Vec3 angular_momentum(const Model& model, const State& state) {
+    Vec3 sum;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        sum += cross(widen(position(state, node)), widen(velocity(state, node))) *
+               static_cast<double>(model.bundle.mass[node]);
+    }
+    return sum;
+}
+
+}

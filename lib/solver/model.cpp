@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "solver/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/arena.h"
+
+namespace crumple::solver {
+namespace {
+
+struct Derived {
+    std::span<TetPacket> packets;
+    std::span<Index> incidence;
+    std::span<Index> node_start;
+    std::span<Index> node_corner;
+    std::span<float> alpha_mass;
+    std::span<ModelMaterial> materials;
+};
+
+Derived take_arrays(const BundleView& view, Arena& arena) {
+    const std::size_t tet_count = view.tets.size();
+    const std::size_t node_count = view.rest_positions.size();
+    Derived d;
+    d.packets = arena.take<TetPacket>((tet_count + packet_size - 1) / packet_size);
+    d.incidence = arena.take<Index>(6 * tet_count);
+    d.node_start = arena.take<Index>(node_count + 1);
+    d.node_corner = arena.take<Index>(4 * tet_count);
+    d.alpha_mass = arena.take<float>(node_count);
+    d.materials = arena.take<ModelMaterial>(view.materials.size());
+    return d;
+}
+
+struct Lame {
+    double mu;
+    double ratio;  // lambda / mu
+};
+
+Lame lame_of(const Material& material, double scale) {
+    return {material.young_pa * scale / (2 * (1 + material.poisson)),
+            2 * material.poisson / (1 - 2 * material.poisson)};
+}
+
+void fill_lane(TetPacket& packet, std::size_t lane, const BundleView& view, std::size_t t, bool is_padding) {
+    const Material& material = view.materials[view.material[t]];
+    const Lame lame = lame_of(material, view.stiffness_scale[t]);
+    for (std::size_t i = 0; i < 9; ++i) packet.gradient[i][lane] = view.inverse_rest[t][i];
+    for (std::size_t i = 0; i < 4; ++i) packet.node[i][lane] = view.tets[t][i];
+    packet.volume[lane] = view.volume[t];
+    packet.stiffness[lane] = is_padding ? 0 : static_cast<float>(view.volume[t] * lame.mu);
+    packet.ratio[lane] = static_cast<float>(lame.ratio);
+    packet.beta_s[lane] = static_cast<float>(material.beta_s);
+    // Padding never yields, or it would be counted.
+    packet.yield_strain[lane] =
+        is_padding ? 1e30f : static_cast<float>(std::sqrt(2.0 / 3) * material.yield_pa / (2 * lame.mu));
+    packet.material[lane] = view.material[t];
+}
+
+void fill_packets(const BundleView& view, std::span<TetPacket> packets) {
+    std::fill(packets.begin(), packets.end(), TetPacket{});
+    for (std::size_t i = 0; i < packets.size() * packet_size; ++i) {
+        const std::size_t t = std::min(i, view.tets.size() - 1);
+        fill_lane(packets[i / packet_size], i % packet_size, view, t, i != t);
+    }
+}
+
+void fill_node_corners(const BundleView& view, std::span<Index> start, std::span<Index> corners) {
+    std::fill(start.begin(), start.end(), 0u);
+    for (const Tet& tet : view.tets) {
+        for (const Index node : tet) ++start[node + 1];
+    }
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    // Filling moves each start to the next one's place; shifting back restores them.
+    for (std::size_t t = 0; t < view.tets.size(); ++t) {
+        for (std::size_t c = 0; c < 4; ++c) corners[start[view.tets[t][c]]++] = static_cast<Index>(4 * t + c);
+    }
+    for (std::size_t i = start.size() - 1; i > 0; --i) start[i] = start[i - 1];
+    start[0] = 0;
+}
+
+// Each node's mass comes in quarters from its tets; alpha is averaged in the same shares. Tets that are not simulated
+// have no say: their nodes are locked.
+void fill_alpha_mass(const BundleView& view, const Derived& d) {
+    for (std::size_t node = 0; node < view.mass.size(); ++node) {
+        double mass = 0;
+        double damping = 0;
+        for (Index k = d.node_start[node]; k < d.node_start[node + 1]; ++k) {
+            const std::size_t t = d.node_corner[k] / 4;
+            const Material& material = view.materials[view.material[t]];
+            const double share = material.density_kg_m3 * view.volume[t];
+            mass += share;
+            damping += share * material.alpha_per_s;
+        }
+        d.alpha_mass[node] = mass > 0 ? static_cast<float>(damping / mass * view.mass[node]) : 0;
+    }
+}
+
+}
+
+BundleView view_of(const Bundle& b) {
+    const std::size_t count = b.solver_tet_count <= b.tets.size() ? b.solver_tet_count : 0;
+    const auto first = [&](const auto& array) {
+        return std::span(array.data(), std::min<std::size_t>(count, array.size()));
+    };
+    return {b.rest_positions,
+            b.mass,
+            b.locked,
+            first(b.tets),
+            first(b.inverse_rest),
+            first(b.volume),
+            first(b.stiffness_scale),
+            first(b.material),
+            b.materials,
+            b.row_start,
+            b.column,
+            b.diagonal,
+            b.edges,
+            b.edge_slots,
+            b.edge_start,
+            b.edge_tet,
+            b.edge_corners};
+}
+
+std::size_t model_bytes(const BundleView& view) {
+    Arena arena;
+    (void)take_arrays(view, arena);
+    return arena.used();
+}
+
+Model build_model(const BundleView& view, std::span<std::byte> memory) {
+    Arena arena(memory);
+    const Derived d = take_arrays(view, arena);
+    fill_packets(view, d.packets);
+    for (std::size_t k = 0; k < d.incidence.size(); ++k) {
+        d.incidence[k] = 16 * view.edge_tet[k] + 4u * view.edge_corners[k][0] + view.edge_corners[k][1];
+    }
+    fill_node_corners(view, d.node_start, d.node_corner);
+    fill_alpha_mass(view, d);
+    std::transform(view.materials.begin(), view.materials.end(), d.materials.begin(), [](const Material& m) {
+        return ModelMaterial{static_cast<float>(m.creep_per_s), static_cast<float>(m.hardening_pa),
+                             static_cast<float>(m.max_plastic_strain)};
+    });
+    Model model;
+    model.node_count = view.rest_positions.size();
+    model.tet_count = view.tets.size();
+    model.edge_count = view.edges.size();
+    model.block_count = view.column.size();
+    model.bundle = view;
+    model.ratio = d.packets[0].ratio[0];
+    model.is_uniform = std::all_of(d.packets.begin(), d.packets.end(), [&](const TetPacket& packet) {
+        return std::all_of(std::begin(packet.ratio), std::end(packet.ratio), [&](float r) { return r == model.ratio; });
+    });
+    model.packets = d.packets;
+    model.incidence = d.incidence;
+    model.node_start = d.node_start;
+    model.node_corner = d.node_corner;
+    model.alpha_mass = d.alpha_mass;
+    model.materials = d.materials;
+    return model;
+}
+
+}

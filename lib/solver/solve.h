@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Preconditioned conjugate gradients with the inverse diagonal blocks as preconditioner, on what constraints leave
+// free.
+#pragma once
+#include "solver/step.h"
+
+namespace crumple::solver {
+
+struct Solved {
+    std::uint32_t iterations = 0;
+    float residual = 0;
+    bool is_too_stiff = false;
+};
+
+// Solves A change = load. REQUIRES: blocks, inverse, load and the constraints of the workspace are filled.
+Solved solve(const Model& model, Workspace& workspace, std::size_t partial_count, const Settings& settings,
+             const Kernels& kernels, const Jobs& jobs);
+
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "solver/step.h"
+
+#include <cmath>
+
+#include "solver/constraints.h"
+#include "solver/solve.h"
+
+namespace crumple::solver {
+namespace {
+
+bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool is_usable(const Model& model, const State& state, const StepInput& input, const Settings& settings) {
+    const auto is_full_or_empty = [&](std::size_t size) { return size == 0 || size == model.node_count; };
+    return input.dt > 0 && std::isfinite(input.dt) && is_finite(input.gravity) &&
+           is_full_or_empty(input.forces.size()) && is_full_or_empty(input.reactions.size()) &&
+           state.shapes.empty() == (settings.plasticity != Plasticity::multiplicative);
+}
+
+// Velocities meet their constraints; `outside` becomes dt (gravity and forces) - dt alpha m v, and at constrained nodes
+// the momentum the constraint takes, which is part of its reaction.
+void start_velocities(const Model& model, State& state, Workspace& w, const StepInput& input) {
+    const float dt = input.dt;
+    for (Index node = 0; node < model.node_count; ++node) {
+        const float mass = model.bundle.mass[node];
+        const Vec3f before = velocity(state, node);
+        const Vec3f v = constrained_velocity(w, input, node, before);
+        set_velocity(state, node, v);
+        Vec3f push = input.gravity * mass;
+        if (!input.forces.empty()) push += input.forces[node];
+        const Vec3f outside = (push - v * model.alpha_mass[node]) * dt + (before - v) * mass;
+        for (int i = 0; i < 3; ++i) w.outside[4 * node + static_cast<std::size_t>(i)] = outside[i];
+        w.damped_mass[node] = mass + dt * model.alpha_mass[node];
+    }
+}
+
+ElementCounts run_elements(const Model& model, State& state, Workspace& w, const StepInput& input,
+                           const Settings& settings, const Kernels& kernels, const Jobs& jobs) {
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        const ModelMaterial& m = model.materials[i];
+        w.materials[i] = {1 - std::exp(-m.creep_per_s * input.dt), m.hardening_pa, m.max_plastic_strain};
+    }
+    ElementJob job{
+        model.packets.data(),   state.tets.data(),       state.shapes.empty() ? nullptr : state.shapes.data(),
+        state.positions.data(), state.velocities.data(), w.gradients.data(),
+        w.forces.data(),        w.materials.data(),      {}};
+    job.settings.dt = input.dt;
+    job.settings.last_dt = state.header->last_dt;
+    job.settings.degenerate_threshold = static_cast<float>(settings.degenerate_threshold);
+    job.settings.treatment = settings.treatment;
+    job.settings.plasticity = settings.plasticity;
+    job.settings.min_plastic_stretch = static_cast<float>(settings.min_plastic_stretch);
+    job.settings.max_plastic_stretch = static_cast<float>(settings.max_plastic_stretch);
+    if (settings.rotation != RotationMethod::apd) job.settings.rotation = rotation_function(settings.rotation);
+    for_pieces(jobs, model.packets.size(), packets_per_piece,
+               [&](std::size_t piece, std::size_t b, std::size_t e) { w.counts[piece] = kernels.elements(job, b, e); });
+    ElementCounts total;
+    for (std::size_t i = 0; i * packets_per_piece < model.packets.size(); ++i) {
+        total.degenerate += w.counts[i].degenerate;
+        total.yielding += w.counts[i].yielding;
+    }
+    return total;
+}
+
+void gather_loads(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
+    const LoadJob job{model.node_start.data(), model.node_corner.data(), w.forces.data(), w.outside.data(),
+                      w.load.data()};
+    for_pieces(jobs, model.node_count, nodes_per_piece,
+               [&](std::size_t, std::size_t b, std::size_t e) { kernels.loads(job, b, e); });
+}
+
+void assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
+    const EdgeJob edges{model.bundle.edge_start.data(),
+                        model.incidence.data(),
+                        model.bundle.edge_slots.data()->data(),
+                        w.gradients.data(),
+                        w.blocks.data(),
+                        model.ratio,
+                        model.is_uniform};
+    for_pieces(jobs, model.edge_count, edges_per_piece,
+               [&](std::size_t, std::size_t b, std::size_t e) { kernels.edges(edges, b, e); });
+    const RowJob rows{model.bundle.row_start.data(), model.bundle.diagonal.data(), w.damped_mass.data(),
+                      w.blocks.data(), w.inverse.data()};
+    for_pieces(jobs, model.node_count, nodes_per_piece,
+               [&](std::size_t, std::size_t b, std::size_t e) { kernels.rows(rows, b, e); });
+}
+
+// v += dv, x += dt v; a node whose numbers overflowed stops where it is. Says whether one did.
+bool integrate(const Model& model, State& state, const Workspace& w, float dt) {
+    bool has_overflowed = false;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        const std::size_t at = 4 * node;
+        Vec3f v = velocity(state, node);
+        if (!w.is_fixed[node]) v += Vec3f{w.change[at], w.change[at + 1], w.change[at + 2]};
+        const Vec3f x = position(state, node) + v * dt;
+        if (!is_finite(v) || !is_finite(x)) {
+            has_overflowed = true;
+            set_velocity(state, node, {});
+            continue;
+        }
+        set_velocity(state, node, v);
+        for (int i = 0; i < 3; ++i) state.positions[at + static_cast<std::size_t>(i)] = x[i];
+    }
+    return has_overflowed;
+}
+
+}
+
+StepReport step(const Model& model, State& state, Workspace& workspace, const StepInput& input,
+                const Settings& settings, const Jobs& jobs) noexcept {
+    StepReport report;
+    if (!is_usable(model, state, input, settings)) {
+        report.warnings = step_bad_input;
+        return report;
+    }
+    const Kernels& wide = kernels(best_isa(settings.isa));
+    const ConstraintCounts constraints = gather_constraints(model, workspace, input);
+    start_velocities(model, state, workspace, input);
+    const ElementCounts counts = run_elements(model, state, workspace, input, settings, wide, jobs);
+    gather_loads(model, workspace, wide, jobs);
+    assemble(model, workspace, wide, jobs);
+    constrain_inverse(model, workspace, constraints.partial);
+    const Solved solved = solve(model, workspace, constraints.partial, settings, wide, jobs);
+    if (!input.reactions.empty()) write_reactions(model, workspace, constraints.partial, input);
+    const bool has_overflowed = integrate(model, state, workspace, input.dt);
+
+    state.header->last_dt = input.dt;
+    ++state.header->step_count;
+    report = {solved.iterations, solved.residual, counts.degenerate, counts.yielding, 0};
+    if (solved.is_too_stiff) report.warnings |= step_too_stiff;
+    if (has_overflowed) report.warnings |= step_not_finite;
+    if (constraints.has_bad) report.warnings |= step_bad_constraint;
+    return report;
+}
+
+}
