@@ -39,6 +39,13 @@ public:
         walk([&](const Node& node) { return node.touches(box); }, visit);
     }
 
+    // visit(element) for every element whose box comes as near to p as `distance`, and a few others, until it returns true.
+    template <class Visit>
+    void within(Vec3 p, double distance, Visit&& visit) const {
+        const double reach = reach_2(distance * distance);
+        walk([&](const Node& node) { return node.distance_2(p) <= reach; }, visit);
+    }
+
     // The element of least distance_2(element), which must be its squared distance from p to a few ulp. Elements not
     // nearer than `known` are not reported instead of it; a good guess there saves most of the work.
     template <class Distance2>

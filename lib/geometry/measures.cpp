@@ -28,20 +28,22 @@ Vec3 circumcentre(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 
 namespace {
 
-Vec3 closest_point_on_segment(Vec3 a, Vec3 b, Vec3 p) {
+ClosestOnTriangle closest_on_segment(Vec3 a, Vec3 b, Vec3 p, unsigned bit_a, unsigned bit_b) {
     const Vec3 ab = b - a;
     const double along = dot(p - a, ab);
     const double whole = dot(ab, ab);
-    if (!(along > 0)) return a;
-    if (along >= whole) return b;
-    return a + ab * (along / whole);
+    if (!(along > 0)) return {a, bit_a};
+    if (along >= whole) return {b, bit_b};
+    return {a + ab * (along / whole), bit_a | bit_b};
 }
 
-Vec3 nearer(Vec3 p, Vec3 q, Vec3 r) { return dot(q - p, q - p) <= dot(r - p, r - p) ? q : r; }
+const ClosestOnTriangle& nearer(Vec3 p, const ClosestOnTriangle& q, const ClosestOnTriangle& r) {
+    return dot(q.point - p, q.point - p) <= dot(r.point - p, r.point - p) ? q : r;
+}
 
 }
 
-Vec3 closest_point_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
+ClosestOnTriangle closest_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const Vec3 normal = cross(ab, ac);
@@ -50,12 +52,14 @@ Vec3 closest_point_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
     const double beyond_c = dot(cross(ab, p - a), normal);
     const double beyond_b = dot(cross(p - a, ac), normal);
     const double beyond_a = area_2 - beyond_b - beyond_c;
-    if (area_2 > 0 && beyond_a >= 0 && beyond_b >= 0 && beyond_c >= 0) {
-        return a + ab * (beyond_b / area_2) + ac * (beyond_c / area_2);
+    if (area_2 > 0 && beyond_a > 0 && beyond_b > 0 && beyond_c > 0) {
+        return {a + ab * (beyond_b / area_2) + ac * (beyond_c / area_2), 7};
     }
     // Outside, or a triangle without area: the nearest point lies on one of the edges.
-    return nearer(p, nearer(p, closest_point_on_segment(a, b, p), closest_point_on_segment(b, c, p)),
-                  closest_point_on_segment(c, a, p));
+    const ClosestOnTriangle on_ab = closest_on_segment(a, b, p, 1, 2);
+    const ClosestOnTriangle on_bc = closest_on_segment(b, c, p, 2, 4);
+    const ClosestOnTriangle on_ca = closest_on_segment(c, a, p, 4, 1);
+    return nearer(p, nearer(p, on_ab, on_bc), on_ca);
 }
 
 }

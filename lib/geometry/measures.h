@@ -41,6 +41,12 @@ std::array<double, 4> barycentric(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 p);
 Vec3 circumcentre(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 // The point of the triangle nearest to p [Ericson 2005, section 5.1.5].
-Vec3 closest_point_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p);
+struct ClosestOnTriangle {
+    Vec3 point;
+    unsigned corners =
+        0;  // bits 0..2: the corners whose corner, edge or face the point lies in: a = 1, ab = 3, abc = 7
+};
+ClosestOnTriangle closest_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p);
+inline Vec3 closest_point_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return closest_on_triangle(a, b, c, p).point; }
 
 }

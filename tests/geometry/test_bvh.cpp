@@ -85,6 +85,23 @@ TEST(Bvh, FindsEveryBoxThatTouchesABox) {
     }
 }
 
+TEST(Bvh, FindsEveryBoxWithinADistance) {
+    const auto boxes = random_boxes(9, 400);
+    const Bvh tree(boxes);
+    Rng rng(10);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 p = random_point(rng) * 2 - Vec3{0.5, 0.5, 0.5};
+        const double distance = 0.2 * rng.next_unit();
+        std::set<Index> found;
+        tree.within(p, distance, [&](Index element) { return !found.insert(element).second; });
+        for (Index e = 0; e < boxes.size(); ++e) {
+            if (distance_2(boxes[e], p) <= distance * distance) {
+                EXPECT_TRUE(found.count(e));
+            }
+        }
+    }
+}
+
 TEST(Bvh, NearestAgreesWithTryingEveryElementWhateverTheGuess) {
     const auto boxes = random_boxes(5, 500);
     const Bvh tree(boxes);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bind on one thread: a million visual vertices against fifty thousand tets, in files' random order and in surface
+// order. Times include building the trees; seconds is the median of the rounds.
+#include <cmath>
+
+#include "bench/bench.h"
+#include "bind/bind.h"
+#include "core/random.h"
+#include "mesh/shapes.h"
+
+namespace crumple {
+namespace {
+
+struct Scene {
+    Shell shell;
+    TetMesh mesh;
+};
+
+// A unit cube of cells^3 * 6 tets in one region.
+Scene cube_scene(int cells) {
+    Scene scene{shapes::subdivided_box(cells), shapes::tet_grid(cells)};
+    scene.mesh.region.assign(scene.mesh.tets.size(), 0);
+    return scene;
+}
+
+// Half the vertices up to 2 % outside the cube's surface, half inside; as a surface mesh visits them, or shuffled.
+VisualMesh around_cube(std::size_t count, bool is_shuffled, double inside_share) {
+    VisualMesh visual;
+    visual.name = "visual";
+    Rng rng(7);
+    const auto inside = static_cast<std::size_t>(inside_share * static_cast<double>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double u = rng.next_unit();
+        const double v = rng.next_unit();
+        const double w = rng.next_unit();
+        Vec3 p{u, v, w};
+        if (i >= inside) {
+            const std::uint32_t side = rng.next_below(6);
+            p[side / 2] = side % 2 ? 1 + 0.02 * w : -0.02 * w;
+        }
+        visual.positions.push_back(round_to_float(p));
+    }
+    if (!is_shuffled) return visual;
+    for (std::size_t i = count; i > 1; --i) {
+        std::swap(visual.positions[i - 1], visual.positions[rng.next_below(static_cast<std::uint32_t>(i))]);
+    }
+    return visual;
+}
+
+bench::Row measure_bind(const std::string& input, const Scene& scene, const VisualMesh& visual, int rounds) {
+    std::vector<double> times;
+    bind::Report report;
+    for (int round = 0; round < rounds; ++round) {
+        times.push_back(bench::seconds(
+            [&] { report = bind::bind_visuals(scene.shell, scene.mesh, std::span(&visual, 1)).report; }));
+    }
+    const double seconds = bench::median(times);
+    const auto vertices = static_cast<double>(visual.positions.size());
+    return {"bind",
+            input,
+            {{"vertices", vertices},
+             {"tets", static_cast<double>(scene.mesh.tets.size())},
+             {"outside", static_cast<double>(report.outside)},
+             {"seconds", seconds},
+             {"ns_per_vertex", seconds / vertices * 1e9}}};
+}
+
+std::vector<bench::Row> measure(bool quick) {
+    const Scene small = cube_scene(10);  // 6 000 tets
+    const Scene large = cube_scene(20);  // 48 000 tets
+    const int rounds = quick ? 3 : 7;
+    std::vector<bench::Row> rows;
+    rows.push_back(measure_bind("half_outside_50k", small, around_cube(50000, true, 0.5), rounds));
+    rows.push_back(measure_bind("half_outside_1m", large, around_cube(1000000, true, 0.5), rounds));
+    if (quick) return rows;
+    rows.push_back(measure_bind("inside_1m", large, around_cube(1000000, true, 1), rounds));
+    rows.push_back(measure_bind("outside_1m", large, around_cube(1000000, true, 0), rounds));
+    rows.push_back(measure_bind("outside_sorted_1m", large, around_cube(1000000, false, 0), rounds));
+    return rows;
+}
+
+}
+}
+
+int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::measure); }
