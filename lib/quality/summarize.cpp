@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 
 #include "core/parallel_for.h"
 #include "quality/element_stiffness.h"
@@ -111,10 +109,6 @@ std::vector<AngleKey> min_dihedrals(std::span<const Vec3> positions, std::span<c
     return keys;
 }
 
-Vec3 centre_of(std::span<const Vec3> positions, const Tet& tet) {
-    return (positions[tet[0]] + positions[tet[1]] + positions[tet[2]] + positions[tet[3]]) * 0.25;
-}
-
 }
 
 Summary summarize(std::span<const Vec3> positions, std::span<const Tet> tets, const Context& context) {
@@ -139,28 +133,6 @@ Score score_of(std::span<const Vec3> positions, std::span<const Tet> tets, const
 bool is_better(const Score& a, const Score& b) {
     if (a.below_10_deg != b.below_10_deg) return a.below_10_deg < b.below_10_deg;
     return a.p1_dihedral > b.p1_dihedral;
-}
-
-std::vector<Place> worst_tets(std::span<const Vec3> positions, std::span<const Tet> tets, std::size_t count) {
-    const std::vector<AngleKey> keys = min_dihedrals(positions, tets, {});
-    std::vector<Index> order(tets.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    count = std::min(count, order.size());
-    const auto comes_first = [&](Index a, Index b) {
-        if (keys[a] != keys[b]) return keys[a] < keys[b];
-        const Vec3 at_a = centre_of(positions, tets[a]);
-        const Vec3 at_b = centre_of(positions, tets[b]);
-        if (at_a != at_b) return lexicographic_less(at_a, at_b);
-        return a < b;
-    };
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), comes_first);
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < count; ++i) {
-        char angle[32];
-        std::snprintf(angle, sizeof angle, "%.3g degrees", degrees_of(keys[order[i]]));
-        places.push_back({centre_of(positions, tets[order[i]]), order[i], angle});
-    }
-    return places;
 }
 
 }

@@ -102,7 +102,8 @@ Draws draw_candidates(const Drawing& drawing, std::uint64_t count, const Context
     const Source source(drawing);
     const std::uint64_t max_tries = 50 * count + 10'000;
     const std::uint64_t block = std::clamp<std::uint64_t>(count, 1024, 1 << 18);
-    while (draws.candidates.size() < count && draws.tries < max_tries) {
+    const auto is_hopeless = [&] { return draws.tries >= 20'000 && draws.candidates.size() * 500 < draws.tries; };
+    while (draws.candidates.size() < count && draws.tries < max_tries && !is_hopeless()) {
         std::vector<Candidate> drawn(block);
         std::vector<std::uint8_t> accepted(block);
         parallel_for(context, block, 256, [&](std::size_t begin, std::size_t end) {

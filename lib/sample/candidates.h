@@ -37,7 +37,8 @@ struct Draws {
     std::uint64_t tries = 0;
 };
 
-// Draws until there are `count` candidates or 50 * count + 10 000 tries were made.
+// Draws until there are `count` candidates, or 50 * count + 10 000 tries were made, or 20 000 tries and more find less
+// than one candidate in 500: then there is hardly any room.
 [[nodiscard]] Draws draw_candidates(const Drawing& drawing, std::uint64_t count, const Context& context);
 
 }
