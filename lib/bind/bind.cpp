@@ -48,10 +48,15 @@ VisualBinding bind_one(const VisualMesh& visual, Index owner, const Owners& owne
     const std::vector<Index> order = spatial_order(visual.positions);
     parallel_for(context, count, chunk_size, [&](std::size_t begin, std::size_t end) {
         context.stop_if_cancelled();
+        // Fetched and stored apart from the work: a run of independent cache misses costs little more than one.
+        std::vector<Vec3> positions;
+        for (std::size_t i = begin; i < end; ++i) positions.push_back(visual.positions[order[i]]);
+        std::vector<Location> locations;
         Guess guess;
+        for (const Vec3& p : positions) locations.push_back(owners.locate(p, owner, guess));
         for (std::size_t i = begin; i < end; ++i) {
+            const Location& location = locations[i - begin];
             const Index v = order[i];
-            const Location location = owners.locate(visual.positions[v], owner, guess);
             binding.tet[v] = location.tet;
             binding.barycentric[v] = location.weights;
             binding.inside[v] = location.inside;

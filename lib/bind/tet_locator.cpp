@@ -73,7 +73,8 @@ bool has_node(const Tet& tet, Index node) { return std::find(tet.begin(), tet.en
 TetLocator::TetLocator(const TetMesh& mesh, Index region, Preferences preferences)
     : preferences_(std::move(preferences)) {
     collect_tets(mesh, region);
-    collect_faces(mesh);
+    link_neighbours(mesh);
+    collect_faces();
     collect_surroundings(mesh.positions.size());
     tet_tree_ = tree_over(tets_);
     face_tree_ = tree_over(faces_);
@@ -86,7 +87,7 @@ void TetLocator::collect_tets(const TetMesh& mesh, Index region) {
         const Tet nodes = corners_by_place(mesh, mesh.tets[t]);
         const auto& [a, b, c, d] = nodes;
         const auto& p = mesh.positions;
-        LocalTet tet{{p[a], p[b], p[c], p[d]}, nodes, t, mesh.region[t], {}};
+        LocalTet tet{{p[a], p[b], p[c], p[d]}, nodes, {none, none, none, none}, t, mesh.region[t], {}};
         for (int i = 0; i < 4; ++i) {
             const auto corner = std::find(nodes.begin(), nodes.end(), mesh.tets[t][i]) - nodes.begin();
             tet.corner_of_mesh[i] = static_cast<std::uint8_t>(corner);
@@ -97,25 +98,28 @@ void TetLocator::collect_tets(const TetMesh& mesh, Index region) {
     rearrange(tets_, centres);
 }
 
-int TetLocator::side_in_mesh(const LocalTet& tet, int side) {
-    return static_cast<int>(std::find(tet.corner_of_mesh.begin(), tet.corner_of_mesh.end(), side) -
-                            tet.corner_of_mesh.begin());
-}
-
 Location TetLocator::located(const LocalTet& tet, bool inside, const std::array<double, 4>& weights, double distance) {
     Location location{tet.mesh_tet, inside, {}, distance};
     for (int i = 0; i < 4; ++i) location.weights[i] = weights[tet.corner_of_mesh[i]];
     return location;
 }
 
-void TetLocator::collect_faces(const TetMesh& mesh) {
-    std::vector<std::uint8_t> is_here(mesh.tets.size(), 0);
-    for (const LocalTet& tet : tets_) is_here[tet.mesh_tet] = 1;
+void TetLocator::link_neighbours(const TetMesh& mesh) {
+    std::vector<Index> local(mesh.tets.size(), none);
+    for (Index t = 0; t < tets_.size(); ++t) local[tets_[t].mesh_tet] = t;
+    for (LocalTet& tet : tets_) {
+        for (int corner = 0; corner < 4; ++corner) {
+            const Index across = mesh.neighbours[tet.mesh_tet][corner];
+            if (across != none) tet.neighbours[tet.corner_of_mesh[corner]] = local[across];
+        }
+    }
+}
+
+void TetLocator::collect_faces() {
     std::vector<Vec3> centres;
     for (Index t = 0; t < tets_.size(); ++t) {
         for (int side = 0; side < 4; ++side) {
-            const Index across = mesh.neighbours[tets_[t].mesh_tet][side_in_mesh(tets_[t], side)];
-            if (across != none && is_here[across]) continue;
+            if (tets_[t].neighbours[side] != none) continue;
             Face face;
             for (int i = 0; i < 3; ++i) {
                 face.corners[i] = tets_[t].corners[tet_face_corners[side][i]];
@@ -152,6 +156,21 @@ Index TetLocator::rank(Index tet) const {
     return region < preferences_.region_rank.size() ? preferences_.region_rank[region] : region;
 }
 
+// From tet to tet through the face that p lies farthest beyond: a few steps lead to a vertex that is near the last one.
+// none where the walk leaves the tets, gets long or ends on a border; a longer search then decides.
+Index TetLocator::walk(Vec3 p, Index from) const {
+    constexpr int most_steps = 8;
+    for (int step = 0; from != none && step < most_steps; ++step) {
+        const LocalTet& tet = tets_[from];
+        const SubVolumes volume(tet.corners, p);
+        const auto least = std::min_element(volume.of.begin(), volume.of.end());
+        if (*least > volume.error) return from;
+        if (*least >= -volume.error) return none;
+        from = tet.neighbours[least - volume.of.begin()];
+    }
+    return none;
+}
+
 // Strictly inside one tet p is in no other; on a border the tet of least rank, then of least place, has it.
 bool TetLocator::contains(Vec3 p, Guess& guess, Location& location) const {
     Index found = none;
@@ -165,7 +184,8 @@ bool TetLocator::contains(Vec3 p, Guess& guess, Location& location) const {
         }
         return side.side == Side::inside;
     };
-    if (guess.tet == none || !try_tet(guess.tet)) tet_tree_.containing(p, try_tet);
+    const Index near = walk(p, guess.tet);
+    if (near == none || !try_tet(near)) tet_tree_.containing(p, try_tet);
     if (found == none) return false;
     guess.tet = found;
     location = located(tets_[found], true, at.weights, 0);

@@ -46,6 +46,7 @@ private:
     struct LocalTet {
         std::array<Vec3, 4> corners;
         Tet nodes{};
+        std::array<Index, 4> neighbours{none, none, none, none};  // of tets_, across the face opposite a corner
         Index mesh_tet = none;
         Index region = none;
         std::array<std::uint8_t, 4> corner_of_mesh{};  // which of `corners` the mesh's corner i is
@@ -61,14 +62,15 @@ private:
         double largest = 0;  // |weight|
     };
 
-    [[nodiscard]] static int side_in_mesh(const LocalTet& tet, int side);
     [[nodiscard]] static Location located(const LocalTet& tet, bool inside, const std::array<double, 4>& weights,
                                           double distance);
 
     void collect_tets(const TetMesh& mesh, Index region);
-    void collect_faces(const TetMesh& mesh);
+    void link_neighbours(const TetMesh& mesh);
+    void collect_faces();
     void collect_surroundings(std::size_t node_count);
 
+    [[nodiscard]] Index walk(Vec3 p, Index from) const;
     [[nodiscard]] bool contains(Vec3 p, Guess& guess, Location& location) const;
     [[nodiscard]] Location nearest(Vec3 p, Guess& guess) const;
     [[nodiscard]] std::vector<Candidate> tets_at(const Face& face, unsigned corners, Vec3 p) const;

@@ -55,11 +55,16 @@ ClosestOnTriangle closest_on_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
     if (area_2 > 0 && beyond_a > 0 && beyond_b > 0 && beyond_c > 0) {
         return {a + ab * (beyond_b / area_2) + ac * (beyond_c / area_2), 7};
     }
-    // Outside, or a triangle without area: the nearest point lies on one of the edges.
-    const ClosestOnTriangle on_ab = closest_on_segment(a, b, p, 1, 2);
-    const ClosestOnTriangle on_bc = closest_on_segment(b, c, p, 2, 4);
-    const ClosestOnTriangle on_ca = closest_on_segment(c, a, p, 4, 1);
-    return nearer(p, nearer(p, on_ab, on_bc), on_ca);
+    // The nearest point lies on an edge that faces p; without area every edge may.
+    const bool is_flat = !(area_2 > 0);
+    ClosestOnTriangle closest{{}, 0};
+    const auto offer = [&](const ClosestOnTriangle& other) {
+        closest = closest.corners == 0 ? other : nearer(p, closest, other);
+    };
+    if (is_flat || beyond_c <= 0) offer(closest_on_segment(a, b, p, 1, 2));
+    if (is_flat || beyond_a <= 0) offer(closest_on_segment(b, c, p, 2, 4));
+    if (is_flat || beyond_b <= 0) offer(closest_on_segment(c, a, p, 4, 1));
+    return closest.corners == 0 ? ClosestOnTriangle{a, 1} : closest;
 }
 
 }
