@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::uint64_t chunk_bytes = std::uint64_t{1} << 20;
 constexpr unsigned deflate_level = 1;  // higher levels cost far more time than they save space
-constexpr unsigned chunk_tree_k = 8;   // small nodes: most arrays have one chunk, and HDF5 allots whole nodes
 constexpr hsize_t alignment = 64;      // of contiguous arrays: a cache line
 
 void require(bool ok, const std::string& what) {
@@ -29,11 +28,11 @@ Handle open_memory_file(std::vector<std::byte>& image) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     use_image(access.id(), image);
-    // The format of HDF5 1.8: checksums on metadata, and every reader of today knows it.
-    require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0 &&
+    // The format of HDF5 1.10: checksums on all metadata and a few bytes of index for an array of one chunk. Nothing
+    // may be set in it that needs a superblock extension, which would store the time.
+    require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0 &&
                 H5Pset_alignment(access.id(), alignment * 8, alignment) >= 0 &&
-                H5Pset_userblock(creation.id(), seal_size) >= 0 && H5Pset_istore_k(creation.id(), chunk_tree_k) >= 0 &&
-                H5Pset_obj_track_times(creation.id(), 0) >= 0,
+                H5Pset_userblock(creation.id(), seal_size) >= 0 && H5Pset_obj_track_times(creation.id(), 0) >= 0,
             "HDF5 settings");
     Handle file(H5Fcreate(unique_file_name().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
     require(file.is_open(), "HDF5 file in memory");

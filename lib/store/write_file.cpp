@@ -132,7 +132,8 @@ void flush_folder(const fs::path& folder) {
 
 void check_can_write(const std::string& path) {
     const fs::path folder = folder_of(checked_target(path));
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, "folder " + folder.string() + ": " + reason(errno));
+    if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+        fail(path, "folder " + folder.string() + ": " + reason(errno));
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -132,6 +134,20 @@ TEST(Hdf5File, SameCallsGiveSameBytes) {
     std::vector<std::vector<int>> noise(100, std::vector<int>(10000, 0x55555555));
     noise.clear();
     EXPECT_EQ(first, write());
+}
+
+TEST(Hdf5File, HoldsNoTime) {
+    const std::time_t begin = std::time(nullptr);
+    FileWriter writer(Layout::contiguous);
+    for (int k = 0; k < 40; ++k) writer.write("/group/" + std::to_string(k), std::vector<float>(1000, 1.0f));
+    writer.set_attribute("/group", "type", std::string("text"));
+    const std::vector<std::byte> image = writer.finish();
+    const std::time_t end = std::time(nullptr);
+    for (std::size_t i = 512; i + 4 <= image.size(); ++i) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, image.data() + i, sizeof word);
+        EXPECT_FALSE(word >= begin && word <= end) << "byte " << i << " begins a time of now";
+    }
 }
 
 TEST(Hdf5File, ContentDigestDoesNotDependOnTheLayout) {
