@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What `cmake --install` puts where, and find_package(crumple COMPONENTS runtime store cook) finds:
-#   runtime   core, material, bundle: MIT, needs no package
+#   runtime   core, material, bundle, solver: MIT, needs no package
 #   store     reads and writes bundles: MIT, needs HDF5 and OpenSSL
 #   cook      the stages, the program and its recipes: GPL
 include(CMakePackageConfigHelpers)
@@ -8,6 +8,7 @@ include(CMakePackageConfigHelpers)
 set(_component_of_core runtime)
 set(_component_of_material runtime)
 set(_component_of_bundle runtime)
+set(_component_of_solver runtime)
 set(_component_of_store store)
 
 get_property(_modules GLOBAL PROPERTY CRUMPLE_MODULES)
