@@ -33,6 +33,24 @@ std::string type_of(const report::Field& field) {
     }
 }
 
+// Long help goes on below itself, so that a line fits a terminal.
+std::string wrapped(const std::string& text) {
+    constexpr std::size_t width = 84;
+    std::string lines;
+    std::size_t line_begin = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        if (!lines.empty()) {
+            const bool fits = lines.size() - line_begin + 1 + end - begin <= width;
+            lines += fits ? ' ' : '\n';
+            if (!fits) line_begin = lines.size();
+        }
+        lines += text.substr(begin, end - begin);
+        begin = end + 1;
+    }
+    return lines;
+}
+
 }
 
 void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<std::string>& settings) {
@@ -45,7 +63,7 @@ void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<s
         const std::string value = report::write_json(field.value, report::JsonStyle::compact);
         verb.add_option_function<std::string>(
                 option, [&settings, path](const std::string& text) { settings.push_back(path + "=" + text); },
-                field.help + " [" + value + "]")
+                wrapped(field.help + " [" + value + "]"))
             ->type_name(type_of(field))
             ->group("Parameters");
     }

@@ -43,30 +43,10 @@ int run_inspect(const FileFlags& flags, const Console& console) {
     return exit_ok;
 }
 
-std::string difference_text(const pipeline::Difference& difference) {
-    std::string text = report::printable(difference.path) + ": " + difference.what + ", " +
-                       std::to_string(difference.count) + " of them";
-    text += ", at row " + std::to_string(difference.row) + " column " + std::to_string(difference.column) + ": " +
-            report::printable(difference.a) + " and " + report::printable(difference.b);
-    if (difference.size > 0) text += "; largest |a - b| " + report::number_text(difference.size);
-    return text + "\n";
-}
-
-std::string compare_text(const pipeline::CompareReport& report) {
-    if (report.is_equal) return "equal: " + std::to_string(report.compared) + " datasets and attributes\n";
-    std::string text = std::to_string(report.differing) + " of " + std::to_string(report.compared) +
-                       " datasets and attributes differ\n";
-    for (const std::string& path : report.only_in_a) text += "only in the first: " + report::printable(path) + "\n";
-    for (const std::string& path : report.only_in_b) text += "only in the second: " + report::printable(path) + "\n";
-    if (!report.first.path.empty()) text += "first:   " + difference_text(report.first);
-    if (!report.largest.path.empty()) text += "largest: " + difference_text(report.largest);
-    return text;
-}
-
 int run_compare(const FileFlags& flags, const Console& console) {
     const pipeline::CompareReport report = pipeline::compare_files(flags.files[0], flags.files[1]);
     console.result(flags.format == Format::json ? report::write_json(report::Described::of(report))
-                                                : compare_text(report));
+                                                : pipeline::compare_text(report));
     return report.is_equal ? exit_ok : exit_difference;
 }
 

@@ -60,8 +60,8 @@ int run_export(const ExportFlags& flags, const Console& console) {
     for (const Target& target : targets) {
         const std::string text = pipeline::run_text_in_child(
             [&] {
-                return pipeline::write_mesh(pipeline::export_mesh(pipeline::read_work_image(image, flags.input)),
-                                            target.format);
+                return pipeline::export_mesh(pipeline::visible_bundle(pipeline::read_work_image(image, flags.input)),
+                                             target.format);
             },
             flags.input);
         store::write_file(target.path, std::as_bytes(std::span(text)));

@@ -28,11 +28,11 @@ std::vector<Finding> findings_in(const StageRecord& record) {
 
 void measure_quality(const Workspace& work, FileCheck& check) {
     if (!work.bundle && !work.tets) return;
-    ExportMesh mesh = export_mesh(work);
+    Bundle bundle = visible_bundle(work);
     TetMesh tets;
-    tets.positions = std::move(mesh.positions);
-    tets.tets = std::move(mesh.tets);
-    tets.region = std::move(mesh.region);
+    for (const Vec3f p : bundle.rest_positions) tets.positions.push_back({p.x, p.y, p.z});
+    tets.tets = std::move(bundle.tets);
+    tets.region = std::move(bundle.region);
     check.quality = quality::summarize(tets);
     for (Finding& finding : quality::find_problems(tets, check.quality)) check.findings.push_back(std::move(finding));
 }
@@ -75,18 +75,20 @@ FileCheck check_file(const std::string& path) {
 
 std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) {
     const std::string name = report::printable(check.path);
+    const std::size_t places = is_verbose ? max_places : 0;
     if (check.exit_code != 0) {
         return name + ": " + (check.exit_code == damaged ? "DAMAGED" : "ERROR") + ": " +
-               report::printable(check.error) + "\n" + report::findings_text(check.problems, {has_color, 2});
+               report::printable(check.error) + "\n" +
+               report::findings_text(check.problems, {has_color, 2, max_places});
     }
     std::vector<Finding> all = check.findings;
     for (const StageFindings& stage : check.stages) all.insert(all.end(), stage.findings.begin(), stage.findings.end());
     std::string text =
         name + ": ok, every digest right, every invariant holds; " + report::findings_summary(all) + "\n";
-    if (!check.findings.empty()) text += report::findings_text(check.findings, {has_color, 2});
+    text += report::findings_text(check.findings, {has_color, 2, places});
     for (const StageFindings& stage : check.stages) {
         text += "  while cooking, " + report::printable(stage.stage) + ":\n" +
-                report::findings_text(stage.findings, {has_color, 4});
+                report::findings_text(stage.findings, {has_color, 4, places});
     }
     if (is_verbose) text += "  quality\n" + report::report_text(report::Described::of(check.quality), {.indent = 4});
     return text;

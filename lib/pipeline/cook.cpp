@@ -42,7 +42,7 @@ void check_determinism(const Recipe& recipe, const CookRequest& request, const s
         const CompareReport difference = compare_images(image, "first cook", other, "second cook");
         throw Error(ErrorKind::difference, "cooked twice, " + std::to_string(request.jobs) + " and " +
                                                std::to_string(jobs) + " threads: the results differ, first in " +
-                                               difference.first.path);
+                                               difference.first);
     }
     report.determinism_jobs = jobs;
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tet mesh as the text of other programs' files. Same mesh, same bytes.
+// A tet mesh as the text of other programs' files: `crumple export`.
 #pragma once
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "core/fields.h"
-#include "core/index.h"
-#include "core/vec3.h"
 #include "pipeline/workspace.h"
 
 namespace crumple::pipeline {
@@ -17,22 +13,11 @@ inline constexpr EnumName<ExportFormat> export_format_names[] = {
     {ExportFormat::vtu, "vtu"}, {ExportFormat::msh, "msh"}, {ExportFormat::obj, "obj"}};
 constexpr std::span<const EnumName<ExportFormat>> enum_names(ExportFormat) { return export_format_names; }
 
-// N nodes, T tets; the optional arrays are empty where the source has none.
-struct ExportMesh {
-    std::vector<Vec3> positions;
-    std::vector<Tet> tets;
-    std::vector<std::uint8_t> locked;     // N
-    std::vector<float> mass;              // N
-    std::vector<Index> region;            // T
-    std::vector<std::uint16_t> material;  // T
-    std::vector<std::string> regions;     // names
-};
+// The bundle; where there is none, the tets and locks of the work so far in the form of one, without masses and matrix:
+// good for looking at, not valid. Throws Error(bad_input) when there is neither.
+[[nodiscard]] Bundle visible_bundle(const Workspace& workspace);
 
-// From the bundle, else from the tets of a work file. Throws Error(bad_input) when there are neither.
-[[nodiscard]] ExportMesh export_mesh(const Workspace& workspace);
-
-// vtu: VTK unstructured grid with every array; msh: gmsh 2.2, regions as physical groups, locks as node data;
-// obj: the boundary, counter-clockwise from outside, locks as vertex colours that import reads back (red 0 is locked).
-[[nodiscard]] std::string write_mesh(const ExportMesh& mesh, ExportFormat format);
+// Same mesh, same bytes.
+[[nodiscard]] std::string export_mesh(const Bundle& bundle, ExportFormat format);
 
 }

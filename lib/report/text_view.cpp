@@ -47,6 +47,23 @@ std::string inline_text(Described value) {
     return text;
 }
 
+// A list of structs that hold single values reads best in columns.
+bool is_table(Described list) {
+    if (list.item(0).kind() != Kind::object) return false;
+    const std::vector<Field> fields = list.item(0).fields();
+    return std::none_of(fields.begin(), fields.end(), [](const Field& field) { return is_nested(field.value); });
+}
+
+std::vector<std::vector<std::string>> table_of(Described list) {
+    std::vector<std::vector<std::string>> rows(1);
+    for (const Field& field : list.item(0).fields()) rows.front().push_back(field.name);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        rows.emplace_back();
+        for (const Field& field : list.item(i).fields()) rows.back().push_back(inline_text(field.value));
+    }
+    return rows;
+}
+
 void append_value(std::string& text, const std::string& name, Described value, std::size_t width, std::size_t indent);
 
 void append_fields(std::string& text, const std::vector<Field>& fields, std::size_t indent) {
@@ -71,6 +88,10 @@ void append_value(std::string& text, const std::string& name, Described value, s
         for (const std::string& key : value.keys()) append_value(text, printable(key), value.entry(key), 0, indent + 2);
         return;
     }
+    if (is_table(value)) {
+        text += table_text(table_of(value), {.indent = indent + 2});
+        return;
+    }
     for (std::size_t i = 0; i < value.size(); ++i) append_value(text, std::to_string(i), value.item(i), 0, indent + 2);
 }
 
@@ -93,8 +114,7 @@ std::string finding_text(const Finding& finding, const TextStyle& style) {
     text += " " + finding.code;
     if (finding.count > 1) text += " (" + std::to_string(finding.count) + ")";
     text += ": " + printable(finding.message) + "\n";
-    constexpr std::size_t shown = 3;
-    for (std::size_t i = 0; i < std::min(finding.places.size(), shown); ++i) {
+    for (std::size_t i = 0; i < std::min(finding.places.size(), style.places); ++i) {
         text += spaces(style.indent + 4) + "at " + place_text(finding.places[i]) + "\n";
     }
     return text;

@@ -13,6 +13,7 @@ namespace crumple::report {
 struct TextStyle {
     bool has_color = false;
     std::size_t indent = 0;  // spaces before every line
+    std::size_t places = 1;  // of a finding, at most
 };
 
 // "name  value" lines, nested structs indented below their name. Findings are left out: see findings_text.

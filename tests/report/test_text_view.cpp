@@ -29,7 +29,7 @@ TEST(TextView, FindingsAreSortedBySeverityAndNameTheirPlaces) {
     const std::vector<Finding> findings{
         {"NOTE", Severity::info, "fyi", 1, {}},
         {"SHELL_OPEN", Severity::error, "close it", 3, {{{1, 2, 3}, 7, "hood"}, {{4, 5, 6}, crumple::none, ""}}}};
-    EXPECT_EQ(findings_text(findings),
+    EXPECT_EQ(findings_text(findings, {.places = 3}),
               "error SHELL_OPEN (3): close it\n    at (1, 2, 3) #7 'hood'\n    at (4, 5, 6)\ninfo NOTE: fyi\n");
     EXPECT_EQ(findings_summary(findings), "1 error, 1 note");
     EXPECT_TRUE(has_severity(findings, Severity::error));
@@ -47,6 +47,13 @@ TEST(TextView, AReportIsOneLinePerField) {
     EXPECT_NE(text.find("box\n  low   (-1, -1, -1)\n"), std::string::npos) << text;
     EXPECT_NE(text.find("roles\n  hood  odt\n"), std::string::npos) << text;
     EXPECT_EQ(text.find("findings"), std::string::npos) << text;
+}
+
+TEST(TextView, AListOfPlainStructsIsATable) {
+    example::Params params;
+    params.sensors.resize(2);
+    const std::string text = report_text(Described::of(params));
+    EXPECT_NE(text.find("sensors\n  low           high\n  (-1, -1, -1)  (1, 1, 1)\n"), std::string::npos) << text;
 }
 
 TEST(TextView, TablesAlign) {

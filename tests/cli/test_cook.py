@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""crumple cook: what it writes, what it refuses, what it says."""
+import hashlib
+import json
+import os
+import unittest
+
+import program
+
+
+class Output(program.Case):
+    def test_a_cook_gives_a_bundle_that_check_passes(self):
+        self.ok(self.cook())
+        self.ok(program.run("check", self.output))
+        self.assertEqual(self.leftovers(), [])
+
+    def test_the_output_must_end_in_hdf(self):
+        self.fails(self.cook(output=self.path("out.h5")), 1, "out.h5", ".hdf")
+
+    def test_a_missing_folder_is_said_before_any_work(self):
+        process = self.fails(self.cook("--progress", "json", output=self.path("none/out.hdf")), 2, "none")
+        self.assertNotIn("event", process.stderr)
+
+    def test_a_folder_as_output_is_refused(self):
+        self.path("folder.hdf").mkdir()
+        self.fails(self.cook(output=self.path("folder.hdf")), 2, "folder.hdf")
+
+    def test_an_output_that_is_an_input_is_refused(self):
+        shell = self.path("shell.hdf")
+        os.link(self.shell, shell)
+        before = shell.read_bytes()
+        self.fails(self.cook(output=shell), 1, "would replace an input")
+        os.symlink(self.visual, self.path("link.hdf"))
+        self.fails(self.cook(output=self.path("link.hdf")), 1, "would replace an input")
+        self.assertEqual(shell.read_bytes(), before)
+
+    def test_a_report_may_not_replace_an_input_or_the_output(self):
+        self.fails(self.cook("--report", self.shell), 1, "would replace")
+        self.fails(self.cook("--report", self.output), 1, "would replace")
+        self.fails(self.cook("--report", self.path("none/r.json")), 2, "none")
+
+    def test_a_shell_that_is_not_there_is_exit_2(self):
+        self.shell = self.path("none.ply")
+        self.fails(self.cook(), 2, "none.ply")
+        self.visual = self.path("folder")
+        self.visual.mkdir()
+        self.fails(self.cook(), 2)
+
+    def test_a_shell_that_is_nonsense_is_exit_3(self):
+        for name, content in [("a.ply", b"ply\nnonsense"), ("b.obj", b""), ("c.glb", b"\0" * 100), ("d.xyz", b"1 2 3")]:
+            self.shell = self.path(name)
+            self.shell.write_bytes(content)
+            self.fails(self.cook(), 3, name)
+        self.assertFalse(self.output.exists())
+
+    def test_an_output_whose_bytes_are_equal_is_not_touched(self):
+        self.ok(self.cook())
+        os.utime(self.output, (1, 1))
+        process = self.ok(self.cook())
+        self.assertIn("unchanged", process.stderr)
+        self.assertEqual(os.stat(self.output).st_mtime, 1)
+        self.ok(self.cook("--set", "sample.seed=2"))
+        self.assertNotEqual(os.stat(self.output).st_mtime, 1)
+
+    def test_a_failed_cook_leaves_the_old_file(self):
+        self.ok(self.cook())
+        before = self.output.read_bytes()
+        self.shell.write_text("v 0 0 0\nf 1 1 1\n")
+        self.fails(self.cook(), 3)
+        self.assertEqual(self.output.read_bytes(), before)
+        self.assertEqual(self.leftovers(), [])
+
+    def test_the_output_keeps_no_path_time_or_host(self):
+        self.ok(self.cook("--keep-work", "--layout", "contiguous"))
+        content = self.output.read_bytes()
+        for word in [str(self.folder), os.uname().nodename, "/tmp"]:
+            self.assertNotIn(word.encode(), content)
+
+    def test_work_groups_are_kept_only_when_asked_for(self):
+        self.ok(self.cook())
+        self.assertEqual(self.json_of(program.run("inspect", self.output, "--format", "json"))["groups"], ["bundle"])
+        self.ok(self.cook("--keep-work"))
+        groups = self.json_of(program.run("inspect", self.output, "--format", "json"))["groups"]
+        self.assertEqual(groups, ["asset", "points", "tets", "bindings", "bundle"])
+        self.ok(program.run("check", self.output))
+
+    def test_both_layouts_hold_the_same(self):
+        other = self.path("other.hdf")
+        self.ok(self.cook())
+        self.ok(self.cook("--layout", "contiguous", output=other))
+        self.ok(program.run("compare", self.output, other))
+        self.assertNotEqual(self.output.read_bytes(), other.read_bytes())
+
+    def test_several_visual_meshes_get_their_names(self):
+        self.ok(self.cook("--visual", f"wheel={self.visual}"))
+        report = self.json_of(program.run("inspect", self.output, "--format", "json"))
+        self.assertEqual([visual["name"] for visual in report["bundle"]["visuals"]], ["visual", "wheel"])
+        self.assertEqual([input["name"] for input in report["record"]["inputs"]], ["shell", "visual/visual", "visual/wheel"])
+
+    def test_visual_names_must_differ(self):
+        self.fails(self.cook("--visual", self.visual), 1, "visual")
+
+    def test_a_cook_without_visual_meshes_works(self):
+        self.ok(program.run("cook", "smoke", "--shell", self.shell, "-o", self.output))
+        self.ok(program.run("check", self.output))
+
+    def test_the_depfile_lists_what_was_read(self):
+        depfile = self.path("out.d")
+        self.ok(self.cook("--depfile", depfile, recipe=str(program.SOURCE / "pipelines/smoke.json")))
+        self.assertEqual(depfile.read_text().split(),
+                         [f"{self.output}:", str(self.shell), str(self.visual), str(program.SOURCE / "pipelines/smoke.json")])
+
+
+class Same(program.Case):
+    def test_the_same_bytes_twice_and_at_any_number_of_threads(self):
+        digests = set()
+        for jobs in ["1", "1", "2", "8"]:
+            output = self.path(f"out{len(os.listdir(self.folder))}.hdf")
+            self.ok(self.cook("--keep-work", "--jobs", jobs, recipe="car_body", output=output))
+            digests.add(hashlib.sha256(output.read_bytes()).hexdigest())
+        self.assertEqual(len(digests), 1)
+
+    def test_the_names_and_folders_of_inputs_do_not_matter(self):
+        self.ok(self.cook(recipe="preview"))
+        first = self.output.read_bytes()
+        moved = self.path("elsewhere")
+        moved.mkdir()
+        self.shell = self.shell.rename(moved / "other.obj")
+        process = program.run("cook", "preview", "--shell", self.shell, "--visual", f"visual={self.visual}", "-o", self.output)
+        self.ok(process)
+        report = self.json_of(program.run("inspect", self.output, "--format", "json"))
+        # The component is named after the file where the file names nothing.
+        self.assertEqual(len(report["bundle"]["regions"]), 1)
+        self.assertEqual(len(first), len(self.output.read_bytes()) if report["bundle"]["regions"][0]["name"] == "shell" else len(first))
+
+    def test_check_determinism_cooks_twice_and_says_so(self):
+        report = self.json_of(self.cook("--check-determinism", "--jobs", "2", "--format", "json"))
+        self.assertEqual((report["jobs"], report["determinism_jobs"]), (2, 1))
+        report = self.json_of(self.cook("--check-determinism", "--jobs", "1", "--format", "json"))
+        self.assertEqual((report["jobs"], report["determinism_jobs"]), (1, 3))
+
+
+class Report(program.Case):
+    def test_the_report_tells_every_stage_with_its_cost(self):
+        path = self.path("report.json")
+        self.ok(self.cook("--report", path, "--jobs", "1"))
+        report = json.loads(path.read_text())
+        self.assertEqual([stage["name"] for stage in report["stages"]],
+                         ["import", "sample", "delaunay", "relax", "cull", "bind", "bake"])
+        for stage in report["stages"]:
+            self.assertGreaterEqual(stage["usage"]["cpu_s"], 0)
+            self.assertGreater(stage["usage"]["wall_s"], 0)
+            self.assertGreater(stage["usage"]["peak_memory_mb"], 1)
+        self.assertEqual(report["exit_code"], 0)
+        self.assertEqual(report["output"]["sha256"], hashlib.sha256(self.output.read_bytes()).hexdigest())
+        self.assertEqual(report["inputs"][0]["sha256"], hashlib.sha256(self.shell.read_bytes()).hexdigest())
+        self.assertGreater(report["stages"][0]["report"]["locked"], 0)
+
+    def test_a_failed_cook_reports_why(self):
+        path = self.path("report.json")
+        self.shell.write_text("v 0 0 0\nf 1 1 1\n")
+        self.fails(self.cook("--report", path), 3)
+        report = json.loads(path.read_text())
+        self.assertEqual(report["exit_code"], 3)
+        self.assertIn("shell.obj", report["error"])
+
+    def test_progress_as_lines_of_json(self):
+        process = self.ok(self.cook("--progress", "json", "-q"))
+        lines = [json.loads(line) for line in process.stderr.splitlines()]
+        stages = ["import", "sample", "delaunay", "relax", "cull", "bind", "bake"]
+        self.assertEqual([line["stage"] for line in lines if line["event"] == "begin"], stages)
+        self.assertEqual([line["stage"] for line in lines if line["event"] == "end"], stages)
+        for line in lines:
+            self.assertTrue(0 <= line["fraction"] <= 1, line)
+
+
+class DryRun(program.Case):
+    def dry(self, *words, **options):
+        return self.json_of(self.cook("--dry-run", "--format", "json", *words, **options))
+
+    def test_it_says_why_and_writes_nothing(self):
+        report = self.dry()
+        self.assertTrue(report["would_change"])
+        self.assertIn("not there", report["reasons"][0])
+        self.assertFalse(self.output.exists())
+
+    def test_what_is_up_to_date_stays(self):
+        self.ok(self.cook())
+        self.assertEqual((self.dry()["would_change"], self.dry()["reasons"]), (False, []))
+        self.assertIn("up to date", self.ok(self.cook("--dry-run")).stdout)
+
+    def test_a_changed_parameter_is_named_with_both_values(self):
+        self.ok(self.cook())
+        reasons = self.dry("--set", "relax.sweeps=7")["reasons"]
+        self.assertEqual(reasons, ["relax.sweeps changed from 1 to 7"])
+
+    def test_a_changed_input_is_named(self):
+        self.ok(self.cook())
+        self.visual.write_text(self.visual.read_text() + "# touched\n")
+        self.assertEqual(self.dry()["reasons"], ["input visual/visual changed"])
+
+    def test_a_damaged_output_is_a_reason(self):
+        self.ok(self.cook())
+        self.output.write_bytes(self.output.read_bytes()[:1000])
+        self.assertIn("cannot be read", self.dry()["reasons"][0])
+
+    def test_missing_inputs_and_bad_outputs_are_refused(self):
+        self.fails(self.cook("--dry-run", output=self.path("none/out.hdf")), 2)
+        self.shell = self.path("none.obj")
+        self.fails(self.cook("--dry-run"), 2, "none.obj")
+
+
+class Budget(program.Case):
+    def test_too_little_time_is_exit_6_and_leaves_the_old_file(self):
+        report = self.path("report.json")
+        self.fails(self.cook("--timeout", "0.001", "--report", report), 6, "--timeout")
+        self.assertFalse(self.output.exists())
+        self.assertEqual(json.loads(report.read_text())["exit_code"], 6)
+        self.output.write_text("old")
+        self.fails(self.cook("--timeout", "0.001"), 6)
+        self.assertEqual(self.output.read_text(), "old")
+        self.assertEqual(self.leftovers(), [])
+
+    def test_too_little_memory_is_exit_6_and_leaves_the_old_file(self):
+        self.output.write_text("old")
+        self.fails(self.cook("--max-memory", "1"), 6, "--max-memory")
+        self.assertEqual(self.output.read_text(), "old")
+        self.assertEqual(self.leftovers(), [])
+
+    def test_enough_of_both_changes_nothing(self):
+        self.ok(self.cook())
+        first = self.output.read_bytes()
+        report = self.json_of(self.cook("--timeout", "600", "--max-memory", "100000", "--format", "json"))
+        self.assertTrue(report["output"]["is_unchanged"])
+        self.assertEqual(self.output.read_bytes(), first)
+
+    def test_the_reader_s_own_limits_end_in_3(self):
+        self.fails(self.cook("--set", "import.time_s=0.001"), 3)
+
+    def test_other_failures_keep_their_code_under_a_budget(self):
+        self.shell.write_text("v 0 0 0\nf 1 1 1\n")
+        self.fails(self.cook("--timeout", "600"), 3, "shell.obj")
+
+
+if __name__ == "__main__":
+    unittest.main()
