@@ -65,6 +65,7 @@ Result tetrahedralize(const PointSet& points, const Params& params, const Contex
         LiftedHull hull(sites);
         hull.start(first.vertex);
         insertion_of(report.order)(hull, first.vertex, context);
+        hull.finish();
         write_canonical_tets(hull, result.mesh);
         report.uncertain_tests = hull.uncertain_tests();
         report.cospherical_tests = hull.tie_tests();

@@ -20,16 +20,27 @@ constexpr std::size_t usual_star = 256;
 }
 
 LiftedHull::LiftedHull(Sites& sites) : sites_(sites) {
-    facets_.reserve(sites.count() * std::size_t{34} / 5 + 64);
+    const std::size_t usual_facets = sites.count() * std::size_t{34} / 5 + 64;
+    facets_.reserve(usual_facets);
+    sides_.reserve(usual_facets);
     cavity_.resize(usual_star);
     star_.reserve(usual_star);
 }
 
-void LiftedHull::set_simplex_plane(Facet& facet) {
-    const Site& origin = sites_.at[facet.vertex[0]];
+void LiftedHull::set_side(Index facet, const FacetPlane& plane) {
+    FacetSide& side = sides_[facet];
+    side.plane = plane;
+    side.origin = facets_[facet].vertex[0];
+    side.mark = 0;
+    if (sites_.exact_only) side.plane.normal_error = std::numeric_limits<float>::infinity();
+}
+
+void LiftedHull::set_simplex_plane(Index facet) {
+    const auto& vertex = facets_[facet].vertex;
+    const Site& origin = sites_.at[vertex[0]];
     for (std::uint32_t i = 1; i < 4; ++i) {
-        const Site& p = sites_.at[facet.vertex[i]];
-        if (facet.vertex[i] == sites_.infinity()) {
+        const Site& p = sites_.at[vertex[i]];
+        if (vertex[i] == sites_.infinity()) {
             star_.position.set_infinite(i - 1);
         } else {
             star_.position.set(i - 1, p.x - origin.x, p.y - origin.y, p.z - origin.z);
@@ -37,12 +48,12 @@ void LiftedHull::set_simplex_plane(Facet& facet) {
         star_.planes.corner[i - 1][0] = i - 1;
     }
     make_planes(star_.position, star_.planes, 1);
-    facet.plane = star_.planes[0];
-    if (sites_.exact_only) facet.plane.normal_error = std::numeric_limits<float>::infinity();
+    set_side(facet, star_.planes[0]);
 }
 
 void LiftedHull::start(const std::array<Index, 4>& simplex) {
     facets_.resize(5);
+    sides_.resize(5);
     facets_[0].vertex = simplex;
     for (Index i = 0; i < 4; ++i) {
         Facet& outer = facets_[i + 1];
@@ -62,15 +73,14 @@ void LiftedHull::start(const std::array<Index, 4>& simplex) {
     }
     star_.facet_count = facets_.size();
     for (Index i = 0; i < facets_.size(); ++i) {
-        facets_[i].mark = 0;
-        facets_[i].outside = none;
-        set_simplex_plane(facets_[i]);
+        set_simplex_plane(i);
         star_.facet[i] = i;
     }
 }
 
-bool LiftedHull::sees_exactly(Index site, const Facet& facet) {
+bool LiftedHull::sees_exactly(Index site, Index number) {
     ++uncertain_tests_;
+    const Facet& facet = facets_[number];
     std::array<Vec3, 4> corner;
     for (int i = 0; i < 4; ++i) corner[i] = sites_.at[facet.vertex[i]].position();
     const Vec3 point = sites_.at[site].position();
@@ -103,10 +113,9 @@ void LiftedHull::begin_cavity(Index facet) {
     ++insertion_;
     star_.facet_count = 0;
     star_.vertex_count = 0;
-    orphans_.clear();
     cavity_[0] = 4 * facet;
     cavity_size_ = 1;
-    facets_[facet].mark = 2 * insertion_ + 1;
+    sides_[facet].mark = 2 * insertion_ + 1;
 }
 
 // The facets the site sees are connected: spread from the first over all ridges. Marks: odd seen, even not seen.
@@ -115,22 +124,19 @@ void LiftedHull::begin_cavity(Index facet) {
 void LiftedHull::find_cavity(Index site) {
     const std::uint32_t unseen = 2 * insertion_;
     const Site& origin = sites_.at[site];
-    Facet* const facets = facets_.data();
-    for (const Index vertex : facets[cavity_[0] / 4].vertex) number_vertex(vertex, origin);
+    for (const Index vertex : facets_[cavity_[0] / 4].vertex) number_vertex(vertex, origin);
     for (std::size_t next = 0; next < cavity_size_; ++next) {
         if (cavity_.size() < cavity_size_ + 4) cavity_.resize(2 * cavity_.size());
         star_.reserve(std::max<std::size_t>(star_.facet_count, star_.vertex_count) + 4);
-        const Facet& inner = facets[cavity_[next] / 4];
-        if (inner.outside != none) orphans_.push_back(inner.outside);
+        const Facet& inner = facets_[cavity_[next] / 4];
         number_vertex(inner.vertex[cavity_[next] % 4], origin);
         std::uint32_t local[4];
         for (int corner = 0; corner < 4; ++corner) local[corner] = sites_.at[inner.vertex[corner]].local;
         for (int corner = 0; corner < 4; ++corner) {
             const Index beyond = inner.neighbour[corner];
-            Facet& other = facets[beyond / 4];
+            FacetSide& other = sides_[beyond / 4];
             if (other.mark - unseen > 1) {
-                const int side = plane_side(site, other);
-                const bool is_seen = side != 0 ? side > 0 : sees_exactly(site, other);
+                const bool is_seen = sees(site, beyond / 4);
                 other.mark = unseen + is_seen;
                 cavity_[cavity_size_] = beyond;
                 cavity_size_ += is_seen;
@@ -157,6 +163,7 @@ void LiftedHull::take_slots() {
             if (facets_.size() == most_facets) throw Error(ErrorKind::budget, "delaunay: more than 2^30 tetrahedra");
             star_.facet[i] = static_cast<Index>(facets_.size());
             facets_.emplace_back();
+            sides_.emplace_back();
         }
     }
 }
@@ -183,10 +190,7 @@ void LiftedHull::make_facets(Index site) {
         Facet& facet = facets_[star_.facet[i]];
         facet.vertex = {site, star_.vertex[a], star_.vertex[b], star_.vertex[c]};
         facet.neighbour = {beyond, edges_.get(c, b), edges_.get(a, c), edges_.get(b, a)};
-        facet.plane = star_.planes[i];
-        if (sites_.exact_only) facet.plane.normal_error = std::numeric_limits<float>::infinity();
-        facet.mark = 0;
-        facet.outside = none;
+        set_side(star_.facet[i], star_.planes[i]);
         facets_[beyond / 4].neighbour[beyond % 4] = 4 * star_.facet[i];
     }
 }
@@ -198,6 +202,11 @@ void LiftedHull::insert(Index site, Index facet) {
     note_edges();
     make_planes(star_.position, star_.planes, star_.facet_count);
     make_facets(site);
+}
+
+void LiftedHull::finish() {
+    std::vector<FacetSide>().swap(sides_);
+    std::vector<Index>().swap(free_);
 }
 
 }

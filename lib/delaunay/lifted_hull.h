@@ -15,15 +15,19 @@
 
 namespace crumple::delaunay {
 
-// One cache line. vertex[0] is the newest, the plane's origin, never the one at infinity.
-struct alignas(64) Facet {
+// vertex[0] is the newest one, the plane's origin, never the one at infinity.
+struct Facet {
     std::array<Index, 4> vertex;     // positive; the one at infinity counts as a point beyond the hull
     std::array<Index, 4> neighbour;  // across the ridge opposite corner i: 4 * facet + the corner opposite there
-    FacetPlane plane;
-    std::uint32_t mark;  // of the last insertion that looked at it
-    Index outside;       // first site of its outside set, for orders that keep one
 };
-static_assert(sizeof(Facet) == 64);
+
+// What a test of a facet reads, apart from the rest: half a cache line.
+struct alignas(32) FacetSide {
+    FacetPlane plane;
+    Index origin;        // vertex[0] again
+    std::uint32_t mark;  // of the last insertion that looked at it
+};
+static_assert(sizeof(Facet) == 32 && sizeof(FacetSide) == 32);
 
 class LiftedHull {
 public:
@@ -37,27 +41,31 @@ public:
     void insert(Index site, Index facet);
 
     [[nodiscard]] bool sees(Index site, Index facet);
-    [[nodiscard]] bool sees_certainly(Index site, Index facet) const { return plane_side(site, facets_[facet]) > 0; }
+    [[nodiscard]] bool sees_certainly(Index site, Index facet) const { return plane_side(site, facet) > 0; }
 
     [[nodiscard]] std::span<const Facet> facets() const { return facets_; }
-    [[nodiscard]] std::span<Facet> facets() { return facets_; }
     [[nodiscard]] const Sites& sites() const { return sites_; }
     [[nodiscard]] bool is_alive(Index facet) const { return facets_[facet].vertex[0] != none; }
     [[nodiscard]] bool is_infinite(Index facet) const { return infinite_corner(facets_[facet]) != 0; }
 
-    // Of the last insertion (or start): the new facets, their planes, and the outside sets of those that went.
+    // Of the last insertion (or start): the new facets, their planes, and the facets that went, as 4 * facet + a
+    // corner. New facets live where old ones went, as far as those go.
     [[nodiscard]] std::span<const Index> star() const { return {star_.facet.data(), star_.facet_count}; }
     [[nodiscard]] const StarPlanes& star_planes() const { return star_.planes; }
-    [[nodiscard]] std::span<const Index> orphans() const { return orphans_; }
+    [[nodiscard]] std::span<const Index> replaced() const { return {cavity_.data(), cavity_size_}; }
+
+    // Frees what only insertions need.
+    void finish();
 
     [[nodiscard]] std::uint64_t uncertain_tests() const { return uncertain_tests_; }
     [[nodiscard]] std::uint64_t tie_tests() const { return tie_tests_; }
 
 private:
     [[nodiscard]] int infinite_corner(const Facet& facet) const;
-    [[nodiscard]] int plane_side(Index site, const Facet& facet) const;
-    [[nodiscard]] bool sees_exactly(Index site, const Facet& facet);
-    void set_simplex_plane(Facet& facet);
+    [[nodiscard]] int plane_side(Index site, Index facet) const;
+    [[nodiscard]] bool sees_exactly(Index site, Index facet);
+    void set_simplex_plane(Index facet);
+    void set_side(Index facet, const FacetPlane& plane);
     void begin_cavity(Index facet);
     void find_cavity(Index site);
     void number_vertex(Index vertex, const Site& origin);
@@ -67,13 +75,13 @@ private:
 
     Sites& sites_;
     std::vector<Facet> facets_;
+    std::vector<FacetSide> sides_;
     std::vector<Index> free_;
     std::uint32_t insertion_ = 0;
 
     // Facets the site at hand sees, as 4 * facet + a corner; all others of its corners belong to facets before it.
     std::vector<Index> cavity_;
     std::size_t cavity_size_ = 0;
-    std::vector<Index> orphans_;
     Star star_;
     EdgeTable edges_;
 
@@ -86,15 +94,16 @@ inline int LiftedHull::infinite_corner(const Facet& facet) const {
     return facet.vertex[3] == infinity ? 3 : facet.vertex[2] == infinity ? 2 : facet.vertex[1] == infinity ? 1 : 0;
 }
 
-inline int LiftedHull::plane_side(Index site, const Facet& facet) const {
-    const Site& origin = sites_.at[facet.vertex[0]];
+inline int LiftedHull::plane_side(Index site, Index facet) const {
+    const FacetSide& side = sides_[facet];
+    const Site& origin = sites_.at[side.origin];
     const Site& point = sites_.at[site];
-    return facet.plane.side(point.x - origin.x, point.y - origin.y, point.z - origin.z);
+    return side.plane.side(point.x - origin.x, point.y - origin.y, point.z - origin.z);
 }
 
 inline bool LiftedHull::sees(Index site, Index facet) {
-    const int side = plane_side(site, facets_[facet]);
-    return side != 0 ? side > 0 : sees_exactly(site, facets_[facet]);
+    const int side = plane_side(site, facet);
+    return side != 0 ? side > 0 : sees_exactly(site, facet);
 }
 
 }

@@ -3,24 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "delaunay/walk.h"
 
 namespace crumple::delaunay {
 
 void OutsideSets::add(Index site, Index facet) {
-    Facet& f = hull_.facets()[facet];
-    if (f.outside == none) stack_.push_back(facet);
-    next_[site] = f.outside;
-    f.outside = site;
+    if (facet >= first_.size()) first_.resize(std::max<std::size_t>(facet + 1, hull_.facets().size()), none);
+    if (first_[facet] == none) stack_.push_back(facet);
+    next_[site] = first_[facet];
+    first_[facet] = site;
 }
+
+Index OutsideSets::take_set(Index facet) { return facet < first_.size() ? std::exchange(first_[facet], none) : none; }
 
 void OutsideSets::insert_all(const Context& context) {
     constexpr Index sites_between_checks = 4096;
     for (Index inserted = 0; !stack_.empty();) {
         const Index facet = stack_.back();
-        const Index site = hull_.facets()[facet].outside;
-        if (!hull_.is_alive(facet) || site == none) {
+        const Index site = first_[facet];
+        if (site == none) {
             stack_.pop_back();
             continue;
         }
@@ -30,33 +33,33 @@ void OutsideSets::insert_all(const Context& context) {
     }
 }
 
+// All sets of the facets that went are taken before any is refilled: the star lives in the same places.
 void OutsideSets::hand_over(Index inserted) {
     star_farthest_.assign(hull_.star().size(), 0.0f);
     heights_.resize(std::max(heights_.size(), hull_.star().size()));
-    for (const Index head : hull_.orphans()) {
-        for (Index site = head; site != none;) {
-            const Index next = next_[site];
-            if (site != inserted) place_on_star(site, inserted);
-            site = next;
-        }
+    orphans_.clear();
+    for (const Index code : hull_.replaced()) {
+        for (Index site = take_set(code / 4); site != none; site = next_[site]) orphans_.push_back(site);
+    }
+    for (const Index site : orphans_) {
+        if (site != inserted) place_on_star(site, inserted);
     }
 }
 
 void OutsideSets::place_on_star(Index site, Index inserted) {
     const auto star = hull_.star();
-    std::size_t best = highest_star_facet(site, inserted);
-    if (!hull_.sees_certainly(site, star[best])) {
+    const std::size_t best = highest_star_facet(site, inserted);
+    const Index facet = star[best];
+    if (!hull_.sees_certainly(site, facet)) {
         // Any facet that is seen will do. Of points on a sphere all tets of a star are doubtful, hull faces are not.
-        return add(site, walk_to_seen_facet(hull_, site, star[best]));
+        return add(site, walk_to_seen_facet(hull_, site, facet));
     }
-    Facet& facet = hull_.facets()[star[best]];
-    const float height = heights_[best];
-    if (facet.outside == none || height > star_farthest_[best]) {
-        add(site, star[best]);
-        star_farthest_[best] = height;
+    if (facet >= first_.size() || first_[facet] == none || heights_[best] > star_farthest_[best]) {
+        add(site, facet);
+        star_farthest_[best] = heights_[best];
     } else {
-        next_[site] = next_[facet.outside];
-        next_[facet.outside] = site;
+        next_[site] = next_[first_[facet]];
+        next_[first_[facet]] = site;
     }
 }
 
