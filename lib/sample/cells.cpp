@@ -107,7 +107,8 @@ void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& 
     cell.distance = std::sqrt(nearest_2);
 }
 
-// Going `reach` away lets one vertex's term shrink and another's grow by 0.3 reach each, and likewise the distances.
+// Going `reach` away lets one vertex's term shrink and another's grow by 0.3 reach each, and likewise the
+// distances.
 void Refinement::keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2) {
     const double largest_size = (cell.size + 2 * size_growth * cell.reach) * slack;
     for (std::size_t i = 0; i < sizes.size(); ++i) {

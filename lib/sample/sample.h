@@ -57,8 +57,9 @@ void describe(Visitor& visit, P& p) {
         "poisson: evenly spread, finer where the shell is finer; uniform: independent, the same density everywhere");
     visit.field("clearance", p.clearance, Range{0, 10},
                 "least distance of a point from the shell, in element sizes there");
-    visit.field("painted_density", p.painted_density,
-                "the green channel scales the density: 0 an eighth, 0.5 as without paint, 1 eight times");
+    visit.field(
+        "painted_density", p.painted_density,
+        "the green channel scales the density near the shell: 0 an eighth, 0.5 as without paint, 1 eight times");
     visit.field("seed", p.seed, Range{0, 9007199254740991.0}, "another seed, other points");
 }
 

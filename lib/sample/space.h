@@ -17,7 +17,7 @@
 
 namespace crumple::sample {
 
-// Element sizes may grow this fast away from the shell: metres per metre.
+// Element sizes grow this fast away from the shell: metres per metre.
 inline constexpr double size_growth = 0.3;
 
 class Space {
@@ -37,8 +37,9 @@ public:
     [[nodiscard]] const std::vector<Index>& sized_vertices() const { return sized_vertices_; }
     [[nodiscard]] const std::vector<Index>& triangles() const { return triangles_; }
 
-    // h(p) = min over vertices v of L_v + 0.3 |p - v|, L_v the mean length of the shell's edges at v: as fine as the
-    // shell where it is near, coarser inside, and never changing faster than 0.3. Here the term of one vertex.
+    // h(p) = min over vertices v of f_v L_v + 0.3 |p - v|, L_v the mean length of the shell's edges at v and f_v its
+    // factor: as fine as the shell where it is near, coarser inside, and never changing faster than 0.3. Here the term
+    // of one vertex.
     [[nodiscard]] double size_from(Index v, Vec3 p) const {
         return sizes_[v] + size_growth * length(p - shell_.positions[v]);
     }
@@ -55,7 +56,7 @@ private:
     double rounding_ = 0;
     bool is_watertight_ = false;
     std::vector<std::uint8_t> fillable_;  // C
-    std::vector<double> sizes_;           // V: L_v times its factor, 0 where no edge of any length ends
+    std::vector<double> sizes_;           // V: f_v L_v, 0 where no edge of any length ends
     std::vector<double> factors_;         // V or empty
     std::vector<Index> sized_vertices_;
     std::vector<Index> triangles_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The few lines of OBJ that the shared shells use, read without the importer: one component for each connected part; a part
-// wound inwards is a cavity.
+// The few lines of OBJ that the shared shells use, read without the importer: one component for each connected part; a
+// part wound inwards is a cavity.
 #pragma once
 #include <cstdlib>
 #include <fstream>
