@@ -32,6 +32,7 @@ FileReport report_file(const std::string& name, const Format& format, const Plac
     FileReport report;
     report.name = name;
     report.format = format.name;
+    report.generator = scene.generator;
     report.unit = placement.unit;
     report.up = name_of(placement.up);
     report.meshes = surface.parts.size();
@@ -69,6 +70,18 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
              {}});
     }
     return findings;
+}
+
+// Blender 3.4 writes the colour of corner number v where that of the corners of vertex v belongs: locks end up
+// elsewhere.
+std::vector<Finding> judge_generator(const Scene& scene, std::size_t color_set_count) {
+    if (color_set_count == 0 || !scene.generator.starts_with("Khronos glTF Blender I/O v3.4.")) return {};
+    return {{"COLOR_MAYBE_SCRAMBLED",
+             Severity::warning,
+             "written by Blender 3.4, whose glTF exporter scrambles colours of the domain Face Corner (what its Vertex "
+             "Paint makes by default); make sure the colour attribute is of the domain Vertex, or export FBX",
+             1,
+             {}}};
 }
 
 // Vertices of the file that no triangle uses. In a vertex list, one whose position is used counts as used.
@@ -133,6 +146,7 @@ Shell make_shell(const std::string& path, const Scene& scene, const Params& para
     append(report.findings, judge_reading(scene, report.shell));
     const PaintedVertices painted = read_paint(scene, format, params, surface);
     report.color_sets = painted.set_count;
+    append(report.findings, judge_generator(scene, painted.set_count));
     report.painted_copies = painted.locked_count;
     report.unused_vertices = count_unused(surface, place_vertex_list(scene, placement));
     context.stop_if_cancelled();

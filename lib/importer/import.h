@@ -56,10 +56,11 @@ void describe(Visitor& visit, P& p) {
 
 // What one file held, before anything was changed.
 struct FileReport {
-    std::string name;    // "shell" or the visual mesh's name
-    std::string format;  // "Wavefront OBJ", ...
-    double unit = 1;     // metres per unit of the file, as applied
-    std::string up;      // axis that points up, as applied
+    std::string name;       // "shell" or the visual mesh's name
+    std::string format;     // "Wavefront OBJ", ...
+    std::string generator;  // the program that wrote it, where the file says
+    double unit = 1;        // metres per unit of the file, as applied
+    std::string up;         // axis that points up, as applied
     std::uint64_t meshes = 0;
     std::uint64_t vertices = 0;             // as the file counts them, where the format tells, else one a face corner
     std::uint64_t triangles = 0;            // after splitting polygons
@@ -71,6 +72,7 @@ template <class Visitor, FieldsOf<FileReport> R>
 void describe(Visitor& visit, R& r) {
     visit.field("name", r.name, "shell, or the visual mesh's name");
     visit.field("format", r.format, "file format");
+    visit.field("generator", r.generator, "program that wrote the file, where the file says");
     visit.field("unit", r.unit, "metres per unit of the file, as applied");
     visit.field("up", r.up, "axis of the file that points up, as applied");
     visit.field("meshes", r.meshes, "mesh instances in the file");

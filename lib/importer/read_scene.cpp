@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/read_scene.h"
 
-#include <assimp/config.h>
+#include <assimp/commonMetaData.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -48,9 +48,14 @@ std::string reason(const Assimp::Importer& importer, const std::string& path) {
     return text.empty() ? "it cannot be read" : text;
 }
 
+std::string generator_of(const aiScene& scene) {
+    aiString generator;
+    return scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) ? generator.C_Str() : "";
+}
+
 void check_importer(const aiScene& scene, const Format& format) {
     aiString used;
-    const bool says = scene.mMetaData && scene.mMetaData->Get("SourceAsset_Format", used);
+    const bool says = scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, used);
     if (!says || std::string_view(used.C_Str()) == format.assimp_name) return;
     refuse("the content is no " + std::string(format.name) + ": it was recognized as " + used.C_Str());
 }
@@ -145,6 +150,7 @@ Scene read_scene(const std::string& path, const Format& format, Purpose purpose)
     const aiScene& from = read_with_assimp(path, format);
 
     Scene scene;
+    scene.generator = generator_of(from);
     scene.expected_triangles = scan.expected_triangles;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);

@@ -196,6 +196,7 @@ std::array<double, 9> axes_of(Up up) {
 std::vector<std::byte> encode(const Scene& scene) {
     Writer out;
     out.number(scene_magic);
+    out.text(scene.generator);
     out.number(scene.unit);
     out.number(static_cast<std::uint32_t>(scene.up));
     out.number(scene.axes);
@@ -212,6 +213,7 @@ Scene decode(std::span<const std::byte> bytes) {
     Reader in(bytes);
     if (in.number<std::uint32_t>() != scene_magic) damaged("it is of another version");
     Scene scene;
+    scene.generator = printable(in.text());
     scene.unit = in.number<double>();
     scene.up = static_cast<Up>(in.number<std::uint32_t>());
     scene.axes = in.number<std::array<double, 9>>();

@@ -37,8 +37,9 @@ struct SceneNode {
 };
 
 struct Scene {
-    double unit = 0;                                        // metres per unit as the file says, 0: it does not say
-    Up up = Up::automatic;                                  // as the file says, automatic: it does not say
+    std::string generator;  // the program that wrote the file, as the file says, may be empty
+    double unit = 0;        // metres per unit as the file says, 0: it does not say
+    Up up = Up::automatic;  // as the file says, automatic: it does not say
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1};  // 3 x 3 row-major: from the file's axes to Y up
     std::uint64_t expected_triangles = 0;  // by the file's own count of polygon corners, 0: not counted
     std::vector<Vec3f> file_positions;  // the file's vertex list where it is indexed apart from faces (OBJ), else empty

@@ -188,7 +188,7 @@ void gather(const Surface& surface, const PaintedVertices& painted, const std::v
         if (!seen[w] || (copy == Paint::locked && !welded.locked[w])) welded.positions[w] = surface.positions[v];
         if (copy != Paint::none && paint[w] == Paint::none) {
             paint[w] = copy;
-            welded.colors[w] = surface.colors[v];
+            if (!surface.colors.empty()) welded.colors[w] = surface.colors[v];
         }
         if (copy == Paint::locked) welded.locked[w] = 1;
         if (copy == Paint::free) has_free[w] = true;

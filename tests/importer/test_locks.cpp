@@ -319,7 +319,7 @@ TEST(Locks, BrokenAndUnreadFormatsAreRefusedClearly) {
     EXPECT_TRUE(test::contains(test::refusal_of_file(car_body("viaassimp.3mf")).message, ".obj, .ply"));
 }
 
-TEST(Locks, OtherPaintedShellsGiveTheirOwnLists) {
+TEST(Locks, AnotherPaintedShellGivesItsOwnList) {
     CRUMPLE_NEEDS_DATA();
     const std::string open = (test::data_folder() / "open").string();
     const Result spot = import_shell(open + "/spot_shell_painted.ply");
@@ -329,7 +329,6 @@ TEST(Locks, OtherPaintedShellsGiveTheirOwnLists) {
     }
     EXPECT_EQ(locked, list_in(open + "/spot_shell_painted.locks.json", "locked_indices"));
     EXPECT_EQ(locked.size(), 90u);
-    EXPECT_EQ(locks_of(import_shell(open + "/mengersponge3_vertexcolours.glb")).size(), 296u);
 }
 
 }

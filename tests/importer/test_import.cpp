@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/import.h"
+
+#include <sys/stat.h>
+
+#include <atomic>
+#include <cstring>
+#include <functional>
+#include <sstream>
+
+#include "importer/import_checks.h"
+#include "importer/temp_folder.h"
+#include "mesh/shapes.h"
+
+namespace crumple::importer {
+namespace {
+
+using test::contains;
+using test::find;
+using test::has;
+using test::import_shell;
+using test::refusal_of_file;
+using test::TempFolder;
+
+// `v` and `f` lines; red: the red of a vertex, where the shell is to be painted.
+std::string obj_text(const Shell& shell, const std::function<double(std::size_t)>& red = {}) {
+    std::ostringstream text;
+    text.precision(9);
+    for (std::size_t v = 0; v < shell.positions.size(); ++v) {
+        const Vec3& p = shell.positions[v];
+        text << "v " << p.x << ' ' << p.y << ' ' << p.z;
+        if (red) text << ' ' << red(v) << " 1 1";
+        text << '\n';
+    }
+    for (const Triangle& t : shell.triangles) text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+    return text.str();
+}
+
+Result import_obj(const Shell& shell, const Params& params = {}) {
+    const TempFolder folder;
+    return import_shell(folder.write("shell.obj", obj_text(shell)), params);
+}
+
+Shell two(const Shell& a, const Shell& b) { return shapes::joined(a, b); }
+
+TEST(Import, PathThatCannotBeOpenedIsAFileError) {
+    const TempFolder folder;
+    EXPECT_EQ(refusal_of_file((folder.path() / "absent.obj").string()).kind, ErrorKind::file);
+    EXPECT_EQ(refusal_of_file("").kind, ErrorKind::file);
+    EXPECT_EQ(refusal_of_file(folder.path().string()).kind, ErrorKind::file);
+    const std::string pipe = (folder.path() / "pipe.obj").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(refusal_of_file(pipe).kind, ErrorKind::file);
+}
+
+TEST(Import, UnknownExtensionSaysWhichFormatsWork) {
+    const TempFolder folder;
+    for (const char* name : {"a.blend", "a", "a.obj.txt", ".obj"}) {
+        const auto refusal = refusal_of_file(folder.write(name, "v 0 0 0\n"));
+        EXPECT_EQ(refusal.kind, ErrorKind::bad_input) << name;
+        EXPECT_TRUE(contains(refusal.message, ".obj, .ply, .off, .stl, .gltf, .glb, .dae, .fbx, .x"))
+            << refusal.message;
+    }
+}
+
+TEST(Import, ExtensionIsReadInAnyCase) {
+    const TempFolder folder;
+    EXPECT_EQ(import_shell(folder.write("A.OBJ", obj_text(shapes::box()))).report.shell.format, "Wavefront OBJ");
+}
+
+TEST(Import, EmptyAndForeignContentIsRefusedInEveryFormat) {
+    const TempFolder folder;
+    for (const char* extension : {"obj", "ply", "off", "stl", "gltf", "glb", "dae", "fbx", "x"}) {
+        for (const std::string& content :
+             {std::string(), std::string("hello"), std::string(1000, '\0'), std::string(300, '\xff')}) {
+            const auto refusal = refusal_of_file(folder.write(std::string("a.") + extension, content));
+            EXPECT_EQ(refusal.kind, ErrorKind::bad_input) << extension << " of " << content.size() << " bytes";
+            EXPECT_FALSE(refusal.message.empty());
+        }
+    }
+}
+
+TEST(Import, BoxComesThroughAsItIs) {
+    const Result result = import_obj(shapes::box());
+    EXPECT_EQ(result.asset.shell.positions, shapes::box().positions);
+    EXPECT_EQ(result.asset.shell.triangles, shapes::box().triangles);
+    EXPECT_EQ(result.report.vertices, 8u);
+    EXPECT_EQ(result.report.triangles, 12u);
+    EXPECT_EQ(result.report.shell.vertices, 8u);
+    EXPECT_EQ(result.report.shell.up, "y");
+    EXPECT_EQ(result.asset.shell.component, std::vector<Index>(12, 0));
+    EXPECT_EQ(result.asset.shell.locked, std::vector<std::uint8_t>(8, 0));
+    EXPECT_TRUE(result.asset.locked_positions.empty());
+}
+
+TEST(Import, PolygonsAreSplitAndPointsAndLinesCounted) {
+    const TempFolder folder;
+    const std::string quads =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nl 1 7\np 3\n";
+    const Result result = import_shell(folder.write("quads.obj", quads));
+    EXPECT_EQ(result.report.triangles, 12u);
+    EXPECT_DOUBLE_EQ(result.report.components.at(0).volume, 1);
+    EXPECT_EQ(result.report.shell.points_and_lines, 2u);
+    EXPECT_TRUE(has(result.report, "FILE_POINTS_AND_LINES"));
+    EXPECT_FALSE(has(result.report, "FILE_FACES_LOST"));
+}
+
+TEST(Import, WhatEnclosesNothingIsRefused) {
+    const TempFolder folder;
+    const auto none_at_all = refusal_of_file(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+    EXPECT_EQ(none_at_all.kind, ErrorKind::bad_input);
+    const auto flat =
+        refusal_of_file(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"));
+    EXPECT_TRUE(contains(flat.message, "SHELL_FLAT")) << flat.message;
+    const auto needles = refusal_of_file(folder.write("needle.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"));
+    EXPECT_TRUE(contains(needles.message, "SHELL_EMPTY")) << needles.message;
+}
+
+TEST(Import, NonFinitePositionsAreRefused) {
+    const TempFolder folder;
+    for (const char* number : {"nan", "inf", "1e39", "-1e200"}) {
+        const auto refusal =
+            refusal_of_file(folder.write("a.obj", std::string("v 0 0 ") + number + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        EXPECT_EQ(refusal.kind, ErrorKind::bad_input) << number;
+        EXPECT_TRUE(contains(refusal.message, "finite")) << refusal.message;
+    }
+}
+
+TEST(Import, IndicesBeyondTheListAreRefused) {
+    const TempFolder folder;
+    EXPECT_EQ(refusal_of_file(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")).kind,
+              ErrorKind::bad_input);
+    EXPECT_EQ(refusal_of_file(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n")).kind,
+              ErrorKind::bad_input);
+}
+
+struct Case {
+    const char* code;
+    Shell shell;
+};
+
+TEST(Import, EveryKindOfDirtHasItsFinding) {
+    const Shell box = shapes::box();
+    Shell turned = box;
+    std::swap(turned.triangles[0][0], turned.triangles[0][1]);
+    Shell twice = box;
+    twice.triangles.push_back(box.triangles[5]);
+    Shell fin = box;
+    fin.positions.push_back({3, 3, 3});
+    fin.triangles.push_back({box.triangles[0][0], box.triangles[0][1], 8});
+    Shell needle = box;
+    needle.positions.insert(needle.positions.end(), {{5, 0, 0}, {6, 0, 0}, {7, 0, 0}});
+    needle.triangles.push_back({8, 9, 10});
+    Shell folded = shapes::icosphere(1, 2);
+    folded.positions[0] = folded.positions[0] * -2.0;
+    const Case cases[] = {
+        {"SHELL_OPEN", shapes::without_triangle(box)},
+        {"SHELL_NON_MANIFOLD", fin},
+        {"SHELL_INCONSISTENT", turned},
+        {"SHELL_SELF_INTERSECTING", folded},
+        {"SHELL_DUPLICATE", twice},
+        {"SHELL_DEGENERATE", needle},
+        {"SHELL_NESTED", shapes::nested_boxes()},
+        {"SHELL_INVERTED", shapes::inverted(box)},
+        {"SHELL_OVERLAPPING", two(box, shapes::box({0.5, 0.5, 0.5}, {2, 2, 2}))},
+        {"SHELL_FAR_FROM_ORIGIN", shapes::moved(box, {1e5, 0, 0})},
+        {"LOCK_NOTHING_PAINTED", box},
+    };
+    for (const Case& c : cases) {
+        const Result result = import_obj(c.shell);
+        const Finding* finding = find(result.report.findings, c.code);
+        ASSERT_NE(finding, nullptr) << c.code;
+        EXPECT_GT(finding->count, 0u) << c.code;
+        EXPECT_FALSE(finding->message.empty()) << c.code;
+        const bool has_a_place = std::strcmp(c.code, "LOCK_NOTHING_PAINTED") != 0;
+        EXPECT_EQ(finding->places.empty(), !has_a_place) << c.code;
+        EXPECT_LE(finding->places.size(), max_places) << c.code;
+    }
+}
+
+TEST(Import, NearlyEverythingPaintedIsReported) {
+    const TempFolder folder;
+    const Shell sphere = shapes::icosphere(1, 2);
+    const auto all = import_shell(folder.write("all.obj", obj_text(sphere, [](std::size_t) { return 0.0; })));
+    EXPECT_TRUE(has(all.report, "LOCK_NEARLY_ALL"));
+    EXPECT_EQ(all.asset.locked_positions, test::sorted(sphere.positions));
+    const auto half =
+        import_shell(folder.write("half.obj", obj_text(sphere, [](std::size_t v) { return v % 2 ? 0.0 : 1.0; })));
+    EXPECT_FALSE(has(half.report, "LOCK_NEARLY_ALL"));
+    EXPECT_FALSE(has(half.report, "LOCK_NOTHING_PAINTED"));
+    EXPECT_EQ(half.report.locked, sphere.positions.size() / 2);
+}
+
+TEST(Import, VisualMeshesKeepNamesOrderAndEveryVertex) {
+    const TempFolder folder;
+    const std::string shell = folder.write("shell.obj", obj_text(shapes::box()));
+    const std::string list = "v 9 9 9\nv 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 4 5\n";
+    Sources sources{shell,
+                    {{"body", folder.write("a.obj", list)}, {"", folder.write("wheel.obj", obj_text(shapes::box()))}}};
+    const Result result = import_asset(sources);
+    ASSERT_EQ(result.asset.visuals.size(), 2u);
+    EXPECT_EQ(result.asset.visuals[0].name, "body");
+    EXPECT_EQ(result.asset.visuals[0].positions.size(), 5u);
+    EXPECT_EQ(result.asset.visuals[0].positions[0], (Vec3{9, 9, 9}));
+    EXPECT_EQ(result.asset.visuals[0].source_vertex, (std::vector<Index>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(result.asset.visuals[1].name, "wheel");
+    EXPECT_EQ(result.report.visuals.at(1).vertices, 8u);
+}
+
+TEST(Import, UnitAndUpApplyToShellAndVisualsAlike) {
+    const TempFolder folder;
+    const std::string path = folder.write("box.obj", obj_text(shapes::box({0, 0, 0}, {1, 2, 3})));
+    Params params;
+    params.unit = 0.01;
+    params.up = Up::z;
+    const Result result = import_asset({path, {{"same", path}}}, params);
+    EXPECT_EQ(test::sorted(result.asset.shell.positions), test::sorted(result.asset.visuals[0].positions));
+    const std::vector<Vec3>& placed = result.asset.visuals[0].positions;
+    EXPECT_NE(std::find(placed.begin(), placed.end(), round_to_float({0.01, 0.03, -0.02})), placed.end());
+    EXPECT_GT(result.report.components.at(0).volume, 0);
+    EXPECT_FALSE(result.report.components.at(0).is_inward);
+}
+
+TEST(Import, NamesOfVisualMeshesMustBeUsableAndUnique) {
+    const TempFolder folder;
+    const std::string path = folder.write("box.obj", obj_text(shapes::box()));
+    const auto refusal = [&](const std::string& first, const std::string& second) {
+        return test::refusal_of([&] { (void)import_asset({path, {{first, path}, {second, path}}}); });
+    };
+    EXPECT_EQ(refusal("a", "a").kind, ErrorKind::usage);
+    EXPECT_EQ(refusal("", "box").kind, ErrorKind::usage);
+    EXPECT_TRUE(contains(refusal("", "").message, "--visual NAME="));
+    EXPECT_EQ(refusal("a/b", "c").kind, ErrorKind::usage);
+    EXPECT_EQ(refusal("..", "c").kind, ErrorKind::usage);
+    EXPECT_EQ(refusal("a\n", "c").kind, ErrorKind::usage);
+    EXPECT_TRUE(refusal("a", "b").message.empty());
+}
+
+TEST(Import, ErrorsNameTheFileTheyAreAbout) {
+    const TempFolder folder;
+    const std::string shell = folder.write("shell.obj", obj_text(shapes::box()));
+    const std::string broken = folder.write("broken.ply", "ply\n");
+    const auto refusal = test::refusal_of([&] { (void)import_asset({shell, {{"", broken}}}); });
+    EXPECT_TRUE(refusal.message.starts_with(broken)) << refusal.message;
+    const std::string flat = folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(refusal_of_file(flat).message.starts_with(flat));
+}
+
+TEST(Import, LimitsOfTheReaderBecomeRefusals) {
+    const TempFolder folder;
+    const std::string path = folder.write("ball.obj", obj_text(shapes::icosphere(1, 6)));
+    Params params;
+    params.time_s = 0.001;
+    const auto late = refusal_of_file(path, params);
+    EXPECT_EQ(late.kind, ErrorKind::bad_input);
+    EXPECT_TRUE(contains(late.message, "import.time_s")) << late.message;
+    params = {};
+    params.memory_mb = 1;
+    const auto large = refusal_of_file(path, params);
+    EXPECT_EQ(large.kind, ErrorKind::bad_input);
+}
+
+TEST(Import, CancelledImportStops) {
+    const TempFolder folder;
+    const std::atomic<bool> cancelled = true;
+    Context context;
+    context.cancelled = &cancelled;
+    const std::string path = folder.write("box.obj", obj_text(shapes::box()));
+    EXPECT_EQ(test::refusal_of([&] { (void)import_asset({path, {}}, {}, context); }).kind, ErrorKind::budget);
+}
+
+// A damaged copy of a good file is read or refused, never worse.
+void expect_no_crash(const std::string& extension, const std::string& good, std::size_t step) {
+    const TempFolder folder;
+    const auto try_it = [&](const std::string& bytes, const std::string& what) {
+        const auto refusal = refusal_of_file(folder.write("damaged." + extension, bytes));
+        EXPECT_TRUE(refusal.message.empty() || refusal.kind == ErrorKind::bad_input) << what << ": " << refusal.message;
+    };
+    for (std::size_t size = 0; size < good.size(); size += step)
+        try_it(good.substr(0, size), "cut at " + std::to_string(size));
+    for (std::size_t i = 0; i < good.size(); i += step) {
+        std::string bytes = good;
+        bytes[i] = static_cast<char>(bytes[i] ^ 0xff);
+        try_it(bytes, "byte " + std::to_string(i) + " flipped");
+    }
+}
+
+TEST(Import, DamagedFilesAreReadOrRefused) {
+    const std::string obj = obj_text(shapes::tetrahedron(), [](std::size_t v) { return v ? 1.0 : 0.0; });
+    expect_no_crash("obj", obj, 7);
+    std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const Shell shell = shapes::tetrahedron();
+    const auto put = [&](const auto& value) { ply.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (const Vec3& p : shell.positions) {
+        for (int axis = 0; axis < 3; ++axis) put(static_cast<float>(p[axis]));
+        ply.append("\0\xff\xff", 3);
+    }
+    for (const Triangle& t : shell.triangles) {
+        ply.push_back(3);
+        for (const Index v : t) put(v);
+    }
+    expect_no_crash("ply", ply, 7);
+    const std::string stl =
+        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "0\nendloop\nendfacet\nendsolid s\n";
+    expect_no_crash("stl", stl, 11);
+}
+
+TEST(Import, TwiceIsTheSame) {
+    const TempFolder folder;
+    const std::string path =
+        folder.write("a.obj", obj_text(shapes::nested_boxes(), [](std::size_t v) { return v % 3 ? 1.0 : 0.0; }));
+    const Result a = import_shell(path);
+    const Result b = import_shell(path);
+    EXPECT_EQ(a.asset.shell.positions, b.asset.shell.positions);
+    EXPECT_EQ(a.asset.shell.triangles, b.asset.shell.triangles);
+    EXPECT_EQ(a.asset.locked_positions, b.asset.locked_positions);
+}
+
+// Names every field a visitor is shown.
+struct FieldNames {
+    std::vector<std::string> names;
+    template <class T>
+    void field(const char* name, T&, const char*) {
+        names.emplace_back(name);
+    }
+    template <class T>
+    void field(const char* name, T&, Range, const char*) {
+        names.emplace_back(name);
+    }
+};
+
+TEST(Import, EveryFieldIsDescribed) {
+    const auto names_of = [](auto value) {
+        FieldNames visitor;
+        describe(visitor, value);
+        EXPECT_EQ(std::set<std::string>(visitor.names.begin(), visitor.names.end()).size(), visitor.names.size());
+        return visitor.names.size();
+    };
+    EXPECT_EQ(names_of(Params{}), 9u);
+    EXPECT_EQ(names_of(FileReport{}), 10u);
+    EXPECT_EQ(names_of(ComponentReport{}), 9u);
+    EXPECT_EQ(names_of(Report{}), 22u);
+}
+
+}
+}
