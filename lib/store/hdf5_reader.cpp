@@ -153,24 +153,31 @@ struct FileReader::State {
         }
     }
 
-    // A soft or external link could lead anywhere: every step of the way must be a hard one.
-    [[nodiscard]] bool exists(const std::string& path) const {
-        if (path == "/") return true;
-        if (!exists(parent_of(path))) return false;
+    // What was looked at once is not looked at again: the file does not change.
+    mutable std::map<std::string, H5I_type_t> kinds = {{"/", H5I_GROUP}};
+    mutable std::map<std::string, DatasetInfo> infos = {};
+
+    // H5I_BADID where there is nothing. A soft or external link could lead anywhere: every step of the way must be a
+    // hard one.
+    [[nodiscard]] H5I_type_t find_kind(const std::string& path) const {
+        if (const auto known = kinds.find(path); known != kinds.end()) return known->second;
+        if (find_kind(parent_of(path)) != H5I_GROUP) return H5I_BADID;
         const htri_t is_there = H5Lexists(file.id(), path.c_str(), H5P_DEFAULT);
-        if (is_there == 0) return false;
-        require_hdf5(is_there > 0);
+        require_hdf5(is_there >= 0);
+        if (is_there == 0) return H5I_BADID;
         H5L_info_t link{};
         require_hdf5(H5Lget_info(file.id(), path.c_str(), &link, H5P_DEFAULT) >= 0);
         require(link.type == H5L_TYPE_HARD, "it is a link to elsewhere, this format has none");
-        return true;
+        const Handle object(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), H5Oclose);
+        require_hdf5(object.is_open());
+        return kinds[path] = H5Iget_type(object.id());
     }
+
+    [[nodiscard]] bool exists(const std::string& path) const { return find_kind(path) != H5I_BADID; }
 
     [[nodiscard]] H5I_type_t kind_of(const std::string& path) const {
         require(exists(path), "it is missing");
-        const Handle object(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), H5Oclose);
-        require_hdf5(object.is_open());
-        return H5Iget_type(object.id());
+        return find_kind(path);
     }
 
     [[nodiscard]] Handle open_dataset(const std::string& path) const {
@@ -247,6 +254,11 @@ struct FileReader::State {
         return contents;
     }
 
+    [[nodiscard]] const DatasetInfo& info(const std::string& path) const {
+        if (const auto known = infos.find(path); known != infos.end()) return known->second;
+        return infos[path] = info_of(open_dataset(path).id(), image.size());
+    }
+
     void read_into(const std::string& path, const DatasetInfo& info, std::span<std::byte> bytes) const {
         if (bytes.empty()) return;
         const Handle dataset = open_dataset(path);
@@ -290,7 +302,7 @@ std::vector<std::string> FileReader::all_attributes() const {
 }
 
 DatasetInfo FileReader::info(const std::string& path) const {
-    return state_->at(path, [&] { return info_of(state_->open_dataset(path).id(), state_->image.size()); });
+    return state_->at(path, [&] { return state_->info(path); });
 }
 
 Dataset FileReader::read_bytes(const std::string& path) const {
