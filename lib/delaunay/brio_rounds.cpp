@@ -51,7 +51,10 @@ void insert_by_walking(LiftedHull& hull, std::span<const Index> order, const Con
     constexpr Index sites_between_checks = 4096;
     Index facet = hull.star().back();
     for (Index i = 0; i < order.size(); ++i) {
-        if (i % sites_between_checks == 0) context.stop_if_cancelled();
+        if (i % sites_between_checks == 0) {
+            context.stop_if_cancelled();
+            context.tell_progress("delaunay", static_cast<double>(i) / hull.sites().count());
+        }
         hull.insert(order[i], walk_to_seen_facet(hull, order[i], facet));
         facet = hull.star().back();
     }

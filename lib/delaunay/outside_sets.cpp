@@ -20,14 +20,18 @@ Index OutsideSets::take_set(Index facet) { return facet < first_.size() ? std::e
 
 void OutsideSets::insert_all(const Context& context) {
     constexpr Index sites_between_checks = 4096;
-    for (Index inserted = 0; !stack_.empty();) {
+    Index inserted = 0;
+    while (!stack_.empty()) {
         const Index facet = stack_.back();
         const Index site = first_[facet];
         if (site == none) {
             stack_.pop_back();
             continue;
         }
-        if (inserted++ % sites_between_checks == 0) context.stop_if_cancelled();
+        if (inserted++ % sites_between_checks == 0) {
+            context.stop_if_cancelled();
+            context.tell_progress("delaunay", static_cast<double>(inserted) / hull_.sites().count());
+        }
         hull_.insert(site, facet);
         hand_over(site);
     }

@@ -65,7 +65,8 @@ Index walk_exactly(LiftedHull& hull, Index site, Index facet) {
 
 Index walk_to_seen_facet(LiftedHull& hull, Index site, Index start) {
     const Vec3 point = hull.sites().at[site].position();
-    Index facet = start;
+    if (hull.sees_certainly(site, start)) return start;
+    Index facet = finite_neighbour(hull, start);
     for (int step = 0; step < floating_steps; ++step) {
         if (hull.sees_certainly(site, facet)) return facet;
         if (hull.is_infinite(facet)) break;

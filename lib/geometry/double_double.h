@@ -13,30 +13,31 @@ struct DoubleDouble {
 
     // a - b without error.
     static DoubleDouble difference(double a, double b) {
-        const double high = a - b;
-        const double b_part = a - high;
-        return {high, (a - (high + b_part)) + (b_part - b)};
+        const double rounded = a - b;
+        const double b_part = a - rounded;
+        return {rounded, (a - (rounded + b_part)) + (b_part - b)};
     }
 
     friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-        const double high = a.high + b.high;
-        const double b_part = high - a.high;
-        const double error = (a.high - (high - b_part)) + (b.high - b_part);
-        return normalised(high, error + (a.low + b.low));
+        const double sum = a.high + b.high;
+        const double b_part = sum - a.high;
+        const double error = (a.high - (sum - b_part)) + (b.high - b_part);
+        return normalised(sum, error + (a.low + b.low));
     }
     friend DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
     friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
     friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-        const double high = a.high * b.high;
+        const double product = a.high * b.high;
         // Inside a function compiled for FMA this is one instruction; the C library is exact elsewhere.
-        const double error = std::fma(a.high, b.high, -high);
-        return normalised(high, error + (a.high * b.low + a.low * b.high));
+        const double error = std::fma(a.high, b.high, -product);
+        return normalised(product, error + (a.high * b.low + a.low * b.high));
     }
 
 private:
-    static DoubleDouble normalised(double high, double low) {
-        const double sum = high + low;
-        return {sum, low - (sum - high)};
+    // REQUIRES: |b| far below |a|, or a = 0.
+    static DoubleDouble normalised(double a, double b) {
+        const double sum = a + b;
+        return {sum, b - (sum - a)};
     }
 };
 

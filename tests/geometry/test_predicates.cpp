@@ -115,6 +115,31 @@ TEST(Predicates, AgreeWithMultiprecisionNearDegeneracy) {
     }
 }
 
+TEST(Predicates, AnswerTheSameWhenToldTheGrain) {
+    Rng rng(12);
+    for (const double grain : {1.0, 0x1p-20, 0x1p-150}) {
+        for (const std::uint32_t range : {3u, 500u, 600u, 70000u, 4000000u}) {
+            for (int round = 0; round < 40; ++round) {
+                std::vector<Vec3> p(5);
+                for (Vec3& q : p) {
+                    for (int axis = 0; axis < 3; ++axis) q[axis] = grain * rng.next_below(range);
+                }
+                if (round % 2 == 0) p[3] = p[0] + p[1] - p[2];  // coplanar
+                EXPECT_EQ(orient3d(p[0], p[1], p[2], p[3], grain), oracle_orient3d(p[0], p[1], p[2], p[3]));
+                EXPECT_EQ(in_sphere(p[0], p[1], p[2], p[3], p[4], grain),
+                          oracle_in_sphere(p[0], p[1], p[2], p[3], p[4]));
+            }
+        }
+    }
+}
+
+TEST(Predicates, KnowCollinearPoints) {
+    EXPECT_TRUE(are_collinear({1, 2, 3}, {1, 2, 3}, {4, 5, 6}));
+    EXPECT_TRUE(are_collinear({0, 0, 0}, {1e-300, 2e-300, 0}, {1e300, 2e300, 0}));
+    EXPECT_FALSE(are_collinear({0, 0, 0}, {1, 1, 1}, {2, 2, std::nextafter(2.0, 3.0)}));
+    EXPECT_TRUE(are_collinear({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.7, 0.7, 0.7}));
+}
+
 TEST(Predicates, AgreeWithMultiprecisionFarFromTheOrigin) {
     Rng rng(13);
     for (int round = 0; round < 200; ++round) {
