@@ -62,8 +62,6 @@ std::optional<double> number_of(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    // Smaller than any double is zero to any geometry; larger is refused by the caller as infinite.
-    if (error == std::errc::result_out_of_range && end == word.data() + word.size()) return number;
     if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
     return number;
 }

@@ -32,6 +32,10 @@ sample::Report run_sample(Workspace& work, const sample::Params& params, const C
 
 delaunay::Report run_delaunay(Workspace& work, const delaunay::Params& params, const Context& context) {
     auto result = delaunay::tetrahedralize(*work.points, params, context);
+    if (result.mesh.tets.empty()) {
+        const auto& findings = result.report.findings;
+        throw Error(ErrorKind::bad_input, "delaunay: " + (findings.empty() ? "no tets" : findings.front().message));
+    }
     work.tets = std::move(result.mesh);
     return std::move(result.report);
 }
