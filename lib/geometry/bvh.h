@@ -39,7 +39,21 @@ public:
         walk([&](const Node& node) { return node.touches(box); }, visit);
     }
 
-    // visit(element) for every element whose box comes as near to p as `distance`, and a few others, until it returns true.
+    // visit(element) for every element whose box meets the ray from p along +axis or -axis, and a few others.
+    template <class Visit>
+    void on_ray(Vec3 p, int axis, bool is_forward, Visit&& visit) const {
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        walk(
+            [&](const Node& node) {
+                return p[u] >= node.low[u] && p[u] <= node.high[u] && p[v] >= node.low[v] && p[v] <= node.high[v] &&
+                       (is_forward ? p[axis] <= node.high[axis] : p[axis] >= node.low[axis]);
+            },
+            visit);
+    }
+
+    // visit(element) for every element whose box comes as near to p as `distance`, and a few others, until it returns
+    // true.
     template <class Visit>
     void within(Vec3 p, double distance, Visit&& visit) const {
         const double reach = reach_2(distance * distance);

@@ -3,36 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 
-#include "geometry/measures.h"
+#include "geometry/boundary_loops.h"
+#include "geometry/bvh.h"
+#include "geometry/predicates.h"
 
 namespace crumple {
 
 namespace {
-
-// Leaves this small are summed triangle by triangle.
-constexpr Index leaf_size = 8;
-
-// A boundary edge of a set of triangles: how often it runs from low to high minus how often it runs back.
-struct ChainEdge {
-    Index low = 0;
-    Index high = 0;
-    int times = 0;
-};
-
-bool chain_less(const ChainEdge& a, const ChainEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; }
-
-void drop_cancelled(std::vector<ChainEdge>& chain) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < chain.size();) {
-        ChainEdge edge = chain[i];
-        for (++i; i < chain.size() && !chain_less(edge, chain[i]); ++i) edge.times += chain[i].times;
-        if (edge.times != 0) chain[kept++] = edge;
-    }
-    chain.resize(kept);
-}
 
 // A sum of solid angles kept as a product of unit-sized complex numbers (argument = half the angle) and the number of
 // full turns. One arctangent at the end instead of one a triangle, only +, *, / and sqrt on the way: fast, accurate to
@@ -69,199 +49,156 @@ private:
     int turns_ = 0;
 };
 
-// A vertex seen from the query point.
+// tan(angle / 2) of a triangle seen from p [Van Oosterom and Strackee 1983]. Near the triangle's plane the exact sign
+// decides on which side p is, as it does for the ray: the two must agree, or a whole turn goes astray.
+void add_triangle(AngleSum& sum, Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
+    const Vec3 to_a = a - p;
+    const Vec3 to_b = b - p;
+    const Vec3 to_c = c - p;
+    const double far_a = length(to_a);
+    const double far_b = length(to_b);
+    const double far_c = length(to_c);
+    const double size = far_a * far_b * far_c;
+    double volume = dot(to_a, cross(to_b, to_c));
+    if (!(std::fabs(volume) > 1e-12 * size)) {
+        const int side = -orient3d(a, b, c, p);
+        volume = side * std::max(std::fabs(volume), std::numeric_limits<double>::min());
+    }
+    sum.add(size + dot(to_a, to_b) * far_c + dot(to_b, to_c) * far_a + dot(to_c, to_a) * far_b, volume);
+}
+
+// A ray along one axis, seen along it: u and v are the other two, so that u, v, axis is a right-handed turn.
 struct Ray {
-    Ray(Vec3 vertex, Vec3 from) : to(vertex - from), distance(length(to)) {}
-    Vec3 to;
-    double distance;
+    Vec3 from;
+    int axis = 0;
+    bool is_forward = true;
+    int u = 1;
+    int v = 2;
 };
 
-// tan(angle / 2) of a triangle seen from the origin [Van Oosterom and Strackee 1983].
-void add_triangle(AngleSum& sum, const Ray& a, const Ray& b, const Ray& c) {
-    const double real = a.distance * b.distance * c.distance + dot(a.to, b.to) * c.distance +
-                        dot(b.to, c.to) * a.distance + dot(c.to, a.to) * b.distance;
-    sum.add(real, dot(a.to, cross(b.to, c.to)));
+// The nearest way out of the box has the fewest triangles in it.
+Ray shortest_ray(const Box& box, Vec3 p) {
+    Ray ray{p};
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double size = box.high[axis] - box.low[axis];
+        for (const bool is_forward : {true, false}) {
+            const double way = (is_forward ? box.high[axis] - p[axis] : p[axis] - box.low[axis]) / size;
+            if (!(way < shortest)) continue;
+            shortest = way;
+            ray = {p, axis, is_forward, (axis + 1) % 3, (axis + 2) % 3};
+        }
+    }
+    return ray;
+}
+
+// Sign of the turn from a over b to the ray, exact.
+int turn(const Ray& ray, Vec3 a, Vec3 b) {
+    const auto [u, v] = std::pair(ray.u, ray.v);
+    const double left = (a[u] - ray.from[u]) * (b[v] - ray.from[v]);
+    const double right = (a[v] - ray.from[v]) * (b[u] - ray.from[u]);
+    const double turn = left - right;
+    // Differences, products and one subtraction, each rounded: 4 * 2^-53 of the magnitudes [Shewchuk 1997,
+    // ccwerrboundA].
+    const double bound = 4.5e-16 * (std::fabs(left) + std::fabs(right)) + 1e-300;
+    if (turn > bound) return 1;
+    if (turn < -bound) return -1;
+    const Vec3 p{ray.from[u], ray.from[v], 0};
+    return orient3d({a[u], a[v], 0}, {b[u], b[v], 0}, p, p + Vec3{0, 0, 1});
+}
+
+// +1 where the ray passes through the triangle from its back, -1 from its front, 0 where it misses. An edge is passed
+// where low end <= ray < high end and the ray lies to its left: the two triangles of an edge always agree, so a ray
+// through an edge or a corner counts as if it were moved aside a little.
+int passage(const Ray& ray, const Vec3* corners) {
+    int turns = 0;
+    const double height = ray.from[ray.v];
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& a = corners[i];
+        const Vec3& b = corners[(i + 1) % 3];
+        if (a[ray.v] <= height) {
+            if (b[ray.v] > height && turn(ray, a, b) > 0) ++turns;
+        } else if (b[ray.v] <= height && turn(ray, a, b) < 0) {
+            --turns;
+        }
+    }
+    return turns;
 }
 
 }
 
-// Triangles halved along the longest axis again and again. From outside a node's box its triangles look like any other
-// surface with the same boundary [Jacobson et al. 2013, section 4.2]: a fan over each boundary loop, exact and much
-// smaller.
-struct WindingNumber::Tree {
-    struct Node {
-        Box box;
-        Index first = 0;  // of triangles
-        Index count = 0;
-        Index right = none;     // the left child is the next node; none at a leaf
-        Index loops_first = 0;  // of loops
-        Index loops_count = 0;  // entries of loops
-    };
+struct WindingNumber::Surface {
+    std::vector<Vec3> vertices;                  // in lexicographic order, each place once
+    std::vector<std::array<Vec3, 3>> triangles;  // closed: the surface and the fans, those turned round
+    std::vector<std::array<Vec3, 3>> fans;       // with the boundary of the surface
+    Bvh tree;                                    // over triangles
+    Box box;
 
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-    std::vector<Index> loops;  // vertices of one closed loop after the other, each loop followed by none
-    std::vector<Node> nodes;
-    std::vector<Vec3> centres;  // of triangles, while building
-
-    void number_by_place(std::span<const Vec3> positions, std::span<const Triangle> faces);
-    std::vector<ChainEdge> build(std::vector<Index>& order, Index first, Index count);
-    std::vector<ChainEdge> build_leaf(std::vector<Index>& order, Index first, Index count) const;
-    void split(std::vector<Index>& order, const Node& node, Index half) const;
-    void add_loops(Node& node, const std::vector<ChainEdge>& chain);
-    void sum_node(AngleSum& sum, Index index, Vec3 p) const;
-    void sum_loops(AngleSum& sum, const Node& node, Vec3 p) const;
+    std::vector<Triangle> number_by_place(std::span<const Vec3> positions, std::span<const Triangle> faces);
+    void close(std::span<const Triangle> faces);
+    [[nodiscard]] double count_along_ray(Vec3 p) const;
 };
 
 // Numbers vertices by place and sorts the triangles, so that neither the input's order nor its welding shows.
-void WindingNumber::Tree::number_by_place(std::span<const Vec3> positions, std::span<const Triangle> faces) {
-    std::vector<Vec3> used;
-    used.reserve(faces.size() * 3);
+std::vector<Triangle> WindingNumber::Surface::number_by_place(std::span<const Vec3> positions,
+                                                              std::span<const Triangle> faces) {
     for (const Triangle& face : faces) {
-        for (const Index v : face) used.push_back(positions[v]);
+        for (const Index v : face) vertices.push_back(positions[v]);
     }
-    vertices = used;
+    const std::vector<Vec3> used = vertices;
     std::sort(vertices.begin(), vertices.end(), lexicographic_less<double>);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const auto number = [&](Vec3 p) {
         const auto found = std::lower_bound(vertices.begin(), vertices.end(), p, lexicographic_less<double>);
         return static_cast<Index>(found - vertices.begin());
     };
+    std::vector<Triangle> numbered;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         Triangle face{number(used[3 * f]), number(used[3 * f + 1]), number(used[3 * f + 2])};
         if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
         std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-        triangles.push_back(face);
+        numbered.push_back(face);
     }
-    std::sort(triangles.begin(), triangles.end());
-    for (const Triangle& t : triangles) centres.push_back(vertices[t[0]] + vertices[t[1]] + vertices[t[2]]);
+    std::sort(numbered.begin(), numbered.end());
+    return numbered;
 }
 
-std::vector<ChainEdge> WindingNumber::Tree::build_leaf(std::vector<Index>& order, Index first, Index count) const {
-    std::sort(order.begin() + first, order.begin() + first + count);
-    std::vector<ChainEdge> chain;
-    for (Index i = first; i < first + count; ++i) {
-        const Triangle& t = triangles[order[i]];
-        for (int corner = 0; corner < 3; ++corner) {
-            const Index from = t[corner];
-            const Index to = t[(corner + 1) % 3];
-            chain.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+void WindingNumber::Surface::close(std::span<const Triangle> faces) {
+    for (const auto& [a, b, c] : faces) triangles.push_back({vertices[a], vertices[b], vertices[c]});
+    for (const std::vector<Index>& loop : boundary_loops(faces)) {
+        for (std::size_t i = 2; i < loop.size(); ++i) {
+            const Vec3 apex = vertices[loop[0]];
+            fans.push_back({apex, vertices[loop[i - 1]], vertices[loop[i]]});
+            triangles.push_back({apex, vertices[loop[i]], vertices[loop[i - 1]]});
         }
     }
-    std::sort(chain.begin(), chain.end(), chain_less);
-    drop_cancelled(chain);
-    return chain;
+    std::vector<Box> boxes;
+    boxes.reserve(triangles.size());
+    for (const auto& corners : triangles) boxes.push_back(bounding_box(corners));
+    tree = Bvh(boxes);
+    box = bounding_box(vertices);
 }
 
-void WindingNumber::Tree::split(std::vector<Index>& order, const Node& node, Index half) const {
-    const Vec3 size = node.box.high - node.box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto begin = order.begin() + node.first;
-    std::nth_element(begin, begin + half, begin + node.count, [&](Index a, Index b) {
-        return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
+// Passages ahead of p; backwards, where as many lie behind as ahead, those behind with the other sign. A triangle that
+// holds p counts half.
+double WindingNumber::Surface::count_along_ray(Vec3 p) const {
+    const Ray ray = shortest_ray(box, p);
+    int halves = 0;
+    tree.on_ray(p, ray.axis, ray.is_forward, [&](Index t) {
+        const int passes = passage(ray, triangles[t].data());
+        if (passes == 0) return false;
+        const int side = passes * orient3d(triangles[t][0], triangles[t][1], triangles[t][2], p);
+        if (side == 0) halves += ray.is_forward ? passes : -passes;
+        if (side < 0 && ray.is_forward) halves += 2 * passes;
+        if (side > 0 && !ray.is_forward) halves -= 2 * passes;
+        return false;
     });
-}
-
-// Returns the boundary of the node's triangles.
-std::vector<ChainEdge> WindingNumber::Tree::build(std::vector<Index>& order, Index first, Index count) {
-    const auto index = static_cast<Index>(nodes.size());
-    Node node;
-    node.first = first;
-    node.count = count;
-    for (Index i = first; i < first + count; ++i) {
-        for (const Index v : triangles[order[i]]) node.box.add(vertices[v]);
-    }
-    nodes.push_back(node);
-    std::vector<ChainEdge> chain;
-    if (count <= leaf_size) {
-        chain = build_leaf(order, first, count);
-    } else {
-        const Index half = count / 2;
-        split(order, node, half);
-        const std::vector<ChainEdge> left = build(order, first, half);
-        node.right = static_cast<Index>(nodes.size());
-        const std::vector<ChainEdge> right = build(order, first + half, count - half);
-        chain.resize(left.size() + right.size());
-        std::merge(left.begin(), left.end(), right.begin(), right.end(), chain.begin(), chain_less);
-        drop_cancelled(chain);
-    }
-    add_loops(node, chain);
-    nodes[index] = node;
-    return chain;
-}
-
-// A boundary enters every vertex as often as it leaves it, so walking along unused edges always comes back to the
-// start.
-void WindingNumber::Tree::add_loops(Node& node, const std::vector<ChainEdge>& chain) {
-    std::vector<Edge> steps;
-    for (const ChainEdge& edge : chain) {
-        const Edge step = edge.times > 0 ? Edge{edge.low, edge.high} : Edge{edge.high, edge.low};
-        steps.insert(steps.end(), static_cast<std::size_t>(std::abs(edge.times)), step);
-    }
-    std::sort(steps.begin(), steps.end());
-    std::vector<std::uint8_t> is_used(steps.size(), 0);
-    node.loops_first = static_cast<Index>(loops.size());
-    for (std::size_t start = 0; start < steps.size(); ++start) {
-        if (is_used[start]) continue;
-        for (std::size_t at = start; at < steps.size();) {
-            is_used[at] = 1;
-            loops.push_back(steps[at][0]);
-            const Index next = steps[at][1];
-            at = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), Edge{next, 0}) - steps.begin());
-            while (at < steps.size() && steps[at][0] == next && is_used[at]) ++at;
-            if (at < steps.size() && steps[at][0] != next) break;
-        }
-        loops.push_back(none);
-    }
-    node.loops_count = static_cast<Index>(loops.size()) - node.loops_first;
-}
-
-void WindingNumber::Tree::sum_loops(AngleSum& sum, const Node& node, Vec3 p) const {
-    const Index end = node.loops_first + node.loops_count;
-    for (Index i = node.loops_first; i < end; ++i) {
-        const Ray apex(vertices[loops[i]], p);
-        Ray last(vertices[loops[++i]], p);
-        double last_on_apex = dot(apex.to, last.to);
-        for (++i; loops[i] != none; ++i) {
-            const Ray next(vertices[loops[i]], p);
-            const double next_on_apex = dot(apex.to, next.to);
-            const double real = apex.distance * (last.distance * next.distance + dot(last.to, next.to)) +
-                                last_on_apex * next.distance + next_on_apex * last.distance;
-            sum.add(real, dot(apex.to, cross(last.to, next.to)));
-            last = next;
-            last_on_apex = next_on_apex;
-        }
-    }
-}
-
-void WindingNumber::Tree::sum_node(AngleSum& sum, Index index, Vec3 p) const {
-    const Node& node = nodes[index];
-    const bool outside = p.x < node.box.low.x || p.y < node.box.low.y || p.z < node.box.low.z ||
-                         p.x > node.box.high.x || p.y > node.box.high.y || p.z > node.box.high.z;
-    if (outside && node.loops_count <= 2 * node.count) return sum_loops(sum, node, p);
-    if (node.right != none) {
-        sum_node(sum, index + 1, p);
-        sum_node(sum, node.right, p);
-        return;
-    }
-    for (Index i = node.first; i < node.first + node.count; ++i) {
-        const Triangle& t = triangles[i];
-        add_triangle(sum, Ray(vertices[t[0]], p), Ray(vertices[t[1]], p), Ray(vertices[t[2]], p));
-    }
+    return halves * 0.5;
 }
 
 WindingNumber::WindingNumber(std::span<const Vec3> positions, std::span<const Triangle> triangles)
-    : tree_(std::make_unique<Tree>()) {
-    tree_->number_by_place(positions, triangles);
-    std::vector<Index> order(tree_->triangles.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    if (order.empty()) return;
-    tree_->build(order, 0, static_cast<Index>(order.size()));
-    std::vector<Triangle> sorted;
-    sorted.reserve(order.size());
-    for (const Index t : order) sorted.push_back(tree_->triangles[t]);
-    tree_->triangles = std::move(sorted);
-    tree_->centres = {};
+    : surface_(std::make_unique<Surface>()) {
+    surface_->close(surface_->number_by_place(positions, triangles));
 }
 
 WindingNumber::~WindingNumber() = default;
@@ -269,9 +206,16 @@ WindingNumber::WindingNumber(WindingNumber&&) noexcept = default;
 WindingNumber& WindingNumber::operator=(WindingNumber&&) noexcept = default;
 
 double WindingNumber::at(Vec3 p) const {
+    const Box& box = surface_->box;
+    const bool is_within = p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x &&
+                           p.y <= box.high.y && p.z <= box.high.z;
+    const double whole = is_within ? surface_->count_along_ray(p) : 0;
+    if (surface_->fans.empty()) return whole;
     AngleSum sum;
-    if (!tree_->nodes.empty()) tree_->sum_node(sum, 0, p);
-    return sum.fraction();
+    for (const auto& [a, b, c] : surface_->fans) add_triangle(sum, a, b, c, p);
+    return whole + sum.fraction();
 }
+
+bool WindingNumber::exceeds(Vec3 p, double threshold) const { return std::fabs(at(p)) > threshold; }
 
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Generalized winding number of a triangle soup [Jacobson, Kavan, Sorkine-Hornung 2013]: 1 inside a closed outward
-// surface, 0 outside, in between where the surface is open, about one half on the surface itself. Accurate to 1e-9 at
-// any distance: parts of the surface seen from outside their box are replaced by a fan over their boundary, not
-// approximated.
+// surface, 0 outside, in between where the surface is open, one half on the surface itself.
+//
+// A fan over each boundary loop closes the surface. The winding number of the closed one is a whole number, counted
+// exactly along a ray; the solid angle of the fans, of which a closed surface has none, is what the holes let through.
 #pragma once
 #include <memory>
 #include <span>
@@ -22,11 +23,16 @@ public:
     WindingNumber(WindingNumber&&) noexcept;
     WindingNumber& operator=(WindingNumber&&) noexcept;
 
+    // A multiple of one half, exact, for a closed surface; within 1e-9 for an open one. Costs a ray through the
+    // triangles and one solid angle a boundary edge.
     [[nodiscard]] double at(Vec3 p) const;
 
+    // Whether |at(p)| > threshold.
+    [[nodiscard]] bool exceeds(Vec3 p, double threshold) const;
+
 private:
-    struct Tree;
-    std::unique_ptr<Tree> tree_;
+    struct Surface;
+    std::unique_ptr<Surface> surface_;
 };
 
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "mesh/shapes.h"
 
 namespace crumple {
 namespace {
@@ -76,6 +77,21 @@ TEST(WindingNumber, EqualsTheDefinitionOnClosedAndOpenSurfaces) {
     }
 }
 
+TEST(WindingNumber, ExceedsDecidesLikeTheNumberItself) {
+    Soup soup = wavy_torus(64, 40);
+    for (const int dropped : {0, 1, 900}) {
+        soup.triangles.resize(soup.triangles.size() - dropped);
+        const WindingNumber winding(soup.positions, soup.triangles);
+        for (const Vec3 p : points_around(19, 400)) {
+            for (const double threshold : {0.3, 0.5, 0.7}) {
+                EXPECT_EQ(winding.exceeds(p, threshold), std::fabs(winding.at(p)) > threshold);
+            }
+        }
+        for (const Vec3 p : soup.positions) EXPECT_EQ(winding.exceeds(p, 0.5), std::fabs(winding.at(p)) > 0.5);
+    }
+    EXPECT_FALSE(WindingNumber({}, {}).exceeds({1, 2, 3}, 0.5));
+}
+
 TEST(WindingNumber, IsAWholeNumberOffAClosedSurface) {
     const Soup soup = wavy_torus(48, 24);
     const WindingNumber winding(soup.positions, soup.triangles);
@@ -106,6 +122,46 @@ TEST(WindingNumber, OrderAndWeldingDoNotChangeABit) {
     const WindingNumber a(soup.positions, soup.triangles);
     const WindingNumber b(torn.positions, torn.triangles);
     for (const Vec3 p : points_around(11, 200)) EXPECT_EQ(a.at(p), b.at(p));
+}
+
+TEST(WindingNumber, RaysThroughCornersEdgesAndAlongSidesCountRight) {
+    // A box of a grid: rays from grid points along the axes run into corners, along edges and within sides.
+    const Shell box = shapes::subdivided_box(4, {0, 0, 0}, {4, 4, 4});
+    const WindingNumber winding(box.positions, box.triangles);
+    for (int x = 1; x < 4; ++x) {
+        for (int y = 1; y < 4; ++y) {
+            for (int z = 1; z < 4; ++z) {
+                EXPECT_EQ(winding.at({double(x), double(y), double(z)}), 1);
+                EXPECT_EQ(winding.at({x * 0.5, y - 0.25, double(z)}), 1);
+                EXPECT_EQ(winding.at({double(x), double(y), -1.0 * z}), 0);
+            }
+        }
+    }
+}
+
+TEST(WindingNumber, AHoleIsSeenTheSameFromBothSidesOfItsCap) {
+    // Exactly in the plane of the missing side, an ulp above and an ulp below.
+    Shell box = shapes::box();
+    std::erase_if(box.triangles, [&](const Triangle& t) {
+        return std::all_of(t.begin(), t.end(), [&](Index v) { return box.positions[v].z == 1; });
+    });
+    const WindingNumber winding(box.positions, box.triangles);
+    for (const double x : {0.5, 0.25, 0.3}) {
+        const double in_plane = winding.at({x, 0.375, 1});
+        EXPECT_NEAR(in_plane, 0.5, 1e-9);
+        EXPECT_NEAR(winding.at({x, 0.375, std::nextafter(1.0, 0.0)}), in_plane, 1e-9);
+        EXPECT_NEAR(winding.at({x, 0.375, std::nextafter(1.0, 2.0)}), in_plane, 1e-9);
+        EXPECT_NEAR(winding.at({x, 0.375, 1 - 1e-200}), in_plane, 1e-9);
+    }
+    EXPECT_GT(winding.at({0.5, 0.5, 0.5}), 0.8);
+    EXPECT_LT(winding.at({0.5, 0.5, 1.5}), 0.3);
+}
+
+TEST(WindingNumber, ClosedSurfacesGiveWholeNumbersToTheLastBit) {
+    const Shell shell =
+        shapes::joined(shapes::torus(1, 0.4, 24, 12), shapes::inverted(shapes::icosphere(0.7, 2, {1, 0, 0})));
+    const WindingNumber winding(shell.positions, shell.triangles);
+    for (const Vec3 p : points_around(29, 500)) EXPECT_EQ(winding.at(p), std::round(winding.at(p)));
 }
 
 TEST(WindingNumber, IsOneHalfOnAFlatSide) {
