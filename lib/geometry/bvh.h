@@ -63,7 +63,12 @@ public:
     // The element of least distance_2(element), which must be its squared distance from p to a few ulp. Elements not
     // nearer than `known` are not reported instead of it; a good guess there saves most of the work.
     template <class Distance2>
-    [[nodiscard]] Nearest nearest(Vec3 p, Distance2&& distance_2, Nearest known = {}) const;
+    [[nodiscard]] Nearest nearest(Vec3 p, Distance2&& distance_2, Nearest known) const;
+
+    template <class Distance2>
+    [[nodiscard]] Nearest nearest(Vec3 p, Distance2&& distance_2) const {
+        return nearest(p, distance_2, Nearest{});
+    }
 
 private:
     // 32 bytes, two a cache line. Bounds are floats rounded outwards: exact for float-representable positions.
