@@ -21,7 +21,7 @@ inline constexpr int version = 1;
 enum class Order {
     automatic,  // the fastest at this size
     quickhull,  // outside sets, farthest point first
-    sampled,    // a random tenth by walking, the rest by outside sets
+    sampled,    // a random eighth by walking, the rest by outside sets
     brio,       // biased randomized insertion order [Amenta, Choi, Rote 2003], found by walking
 };
 

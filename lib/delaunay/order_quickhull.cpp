@@ -2,6 +2,7 @@
 // The textbook order: all sites start in the outside sets of the first simplex.
 #include <algorithm>
 
+#include "core/error.h"
 #include "delaunay/order.h"
 #include "delaunay/outside_sets.h"
 
