@@ -96,6 +96,7 @@ ConstraintCounts gather_constraints(const Model& model, Workspace& w, const Step
         if (c.kind == ConstraintKind::fixed || c.node >= model.node_count || w.constraint[c.node] != i + 1) continue;
         w.partials[counts.partial++] = directions_of(c);
     }
+    counts.fixed = static_cast<std::size_t>(std::count(w.is_fixed.begin(), w.is_fixed.end(), 1));
     // Pieces of the solve look up theirs by node.
     std::sort(w.partials.begin(), w.partials.begin() + static_cast<std::ptrdiff_t>(counts.partial),
               [](const Partial& a, const Partial& b) { return a.node < b.node; });

@@ -8,6 +8,7 @@
 namespace crumple::solver {
 
 struct ConstraintCounts {
+    std::size_t fixed = 0;
     std::size_t partial = 0;  // of Workspace::partials
     bool has_bad = false;
 };

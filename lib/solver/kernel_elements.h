@@ -249,7 +249,8 @@ inline unsigned flow(const ElementJob& job, const TetPacket& packet, TetState& s
     const Strain dev = deviator(e);
     const Lanes size = root(squared(dev));
     const Lanes yield = Lanes::load(packet.yield_strain + lane) + Lanes::load(state.hardening + lane);
-    const Mask yields = (size > yield) & !is_bad;
+    // A strain beyond any limit is on its way to overflow; its direction is noise.
+    const Mask yields = (size > yield) & (size <= Lanes::all(1e9f)) & !is_bad;
     if (bits(yields) == 0) return 0;
     if (shape == nullptr) {
         flow_additive(job, packet, state, lane, e, dev, size, yields);

@@ -53,8 +53,14 @@ inline void invert_block(const float* k, float* inverse) {
     }
 }
 
-// Rows of K sum to zero, so the diagonal is the damped mass minus the rest of the row.
-inline void finish_rows(const RowJob& job, std::size_t begin, std::size_t end) {
+// A diagonal block this small a part of the stiffness is lost in the rounding of its sum, and with it the positive
+// definiteness of A.
+inline constexpr float resolved_by_float = 3e-7f;
+
+// Rows of K sum to zero, so the diagonal is the damped mass minus the rest of the row. Where the mass would drown, it
+// is raised until it does not: the node answers more slowly, the solve stays sound. Returns how many nodes that were.
+inline std::uint32_t finish_rows(const RowJob& job, std::size_t begin, std::size_t end) {
+    std::uint32_t raised = 0;
     for (std::size_t row = begin; row < end; ++row) {
         const std::size_t diagonal = job.diagonal[row];
         BlockSum below, above;
@@ -65,9 +71,16 @@ inline void finish_rows(const RowJob& job, std::size_t begin, std::size_t end) {
         above.store(sums[1]);
         float* block = job.blocks + 9 * diagonal;
         for (std::size_t i = 0; i < 9; ++i) block[i] = -(sums[0][i] + sums[1][i]);
-        for (const std::size_t i : {0, 4, 8}) block[i] += job.damped_mass[row];
+        const float least = resolved_by_float / 3 * (block[0] + block[4] + block[8]);
+        float mass = job.damped_mass[row];
+        if (least > mass / 8) {
+            mass += least - mass / 8;
+            ++raised;
+        }
+        for (const std::size_t i : {0, 4, 8}) block[i] += mass;
         invert_block(block, job.inverse + inverse_at(row));
     }
+    return raised;
 }
 
 inline void multiply(const SolveJob& job, std::size_t begin, std::size_t end) {

@@ -84,7 +84,7 @@ struct Kernels {
     void (*rotations)(RotationPacket*, std::size_t begin, std::size_t end);
     void (*loads)(const LoadJob&, std::size_t begin, std::size_t end);
     void (*edges)(const EdgeJob&, std::size_t begin, std::size_t end);
-    void (*rows)(const RowJob&, std::size_t begin, std::size_t end);
+    std::uint32_t (*rows)(const RowJob&, std::size_t begin, std::size_t end);         // nodes too light for float
     void (*multiply)(const SolveJob&, std::size_t begin, std::size_t end);            // q = A p
     double (*product_dot)(const SolveJob&, std::size_t begin, std::size_t end);       // p . q
     double (*start)(const SolveJob&, std::size_t begin, std::size_t end);             // z = P r, p = z: r . z

@@ -51,12 +51,13 @@ double kinetic_energy(const Model& model, const State& state) {
     return energy;
 }
 
-double elastic_energy(const Model& model, const State& state) {
+double elastic_energy(const Model& model, const State& state, EnergyRotation which) {
     double energy = 0;
     for (std::size_t t = 0; t < model.tet_count; ++t) {
         const Mat3 f = deformation_gradient(model, state, t);
+        const Mat3 last = rotation(state, t);
         energy += strain_energy(model.packets[t / packet_size], state.tets[t / packet_size], t % packet_size, f,
-                                rotation_svd_smallest(f, rotation(state, t)));
+                                which == EnergyRotation::nearest ? rotation_svd_smallest(f, last) : last);
     }
     return energy;
 }

@@ -10,8 +10,11 @@ namespace crumple::solver {
 
 [[nodiscard]] double kinetic_energy(const Model& model, const State& state);  // joules
 
-// sum V (mu |eps|^2 + lambda / 2 tr(eps)^2) with the rotation nearest to F where the state is now, joules.
-[[nodiscard]] double elastic_energy(const Model& model, const State& state);
+// sum V (mu |eps|^2 + lambda / 2 tr(eps)^2), joules. With the rotation nearest to F it is the least this F can have;
+// with the rotations of `state` it is what the solver sees, more where a treatment holds on to an inverted tet.
+enum class EnergyRotation { nearest, of_state };
+[[nodiscard]] double elastic_energy(const Model& model, const State& state,
+                                    EnergyRotation which = EnergyRotation::nearest);
 
 [[nodiscard]] Vec3 linear_momentum(const Model& model, const State& state);
 [[nodiscard]] Vec3 angular_momentum(const Model& model, const State& state);  // about the origin

@@ -58,26 +58,31 @@ void start_residual(const Model& model, Workspace& w, std::size_t partial_count)
 
 }
 
+SolveJob solve_job(const Model& model, Workspace& w) {
+    return {model.bundle.row_start.data(),
+            model.bundle.column.data(),
+            w.is_fixed.data(),
+            w.blocks.data(),
+            w.inverse.data(),
+            w.change.data(),
+            w.residual.data(),
+            w.precise.data(),
+            w.direction.data(),
+            w.product.data()};
+}
+
 Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const Settings& settings,
              const Kernels& kernels, const Jobs& jobs) {
-    const SolveJob job{model.bundle.row_start.data(),
-                       model.bundle.column.data(),
-                       w.is_fixed.data(),
-                       w.blocks.data(),
-                       w.inverse.data(),
-                       w.change.data(),
-                       w.residual.data(),
-                       w.precise.data(),
-                       w.direction.data(),
-                       w.product.data()};
+    const SolveJob job = solve_job(model, w);
     const Loops loops(model, w, jobs);
     const std::span<const Partial> partials = w.partials.first(partial_count);
     start_residual(model, w, partial_count);
     const double first = loops.sum([&](std::size_t b, std::size_t e) { return kernels.start(job, b, e); });
     const double enough = first * std::max(settings.tolerance * settings.tolerance, noise_floor);
     Solved result;
+    result.has_overflowed = !std::isfinite(first);
     double rz = first;
-    while (result.iterations < settings.max_iterations && rz > enough) {
+    while (result.iterations < settings.max_iterations && rz > enough) {  // never entered when first is not finite
         const double pq = loops.sum([&](std::size_t b, std::size_t e) {
             kernels.multiply(job, b, e);
             for (const Partial& p : partials_between(partials, b, e)) {
@@ -97,6 +102,8 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
         rz = next;
         ++result.iterations;
     }
+    // A residual that grew tells the same: in exact arithmetic it ends below where it began.
+    result.is_too_stiff = result.is_too_stiff || rz > first;
     result.residual = first > 0 ? static_cast<float>(std::sqrt(std::max(0.0, rz / first))) : 0;
     return result;
 }

@@ -9,8 +9,11 @@ namespace crumple::solver {
 struct Solved {
     std::uint32_t iterations = 0;
     float residual = 0;
-    bool is_too_stiff = false;
+    bool is_too_stiff = false;    // p . A p <= 0: the solve stopped there
+    bool has_overflowed = false;  // the load is not finite: nothing was solved
 };
+
+[[nodiscard]] SolveJob solve_job(const Model& model, Workspace& workspace);
 
 // Solves A change = load. REQUIRES: blocks, inverse, load and the constraints of the workspace are filled.
 Solved solve(const Model& model, Workspace& workspace, std::size_t partial_count, const Settings& settings,

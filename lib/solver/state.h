@@ -74,6 +74,7 @@ struct Workspace {
     std::span<StepMaterial> materials;
     std::span<double> sums;           // one a piece
     std::span<ElementCounts> counts;  // one a piece
+    std::span<std::uint32_t> raised;  // one a piece of nodes
 };
 
 [[nodiscard]] std::size_t workspace_bytes(const Model& model);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "solver/step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/constraints.h"
+#include "solver/restrain.h"
 #include "solver/solve.h"
 
 namespace crumple::solver {
@@ -70,7 +72,8 @@ void gather_loads(const Model& model, Workspace& w, const Kernels& kernels, cons
                [&](std::size_t, std::size_t b, std::size_t e) { kernels.loads(job, b, e); });
 }
 
-void assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
+// Says whether some node was too light beside its stiffness for float.
+bool assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
     const EdgeJob edges{model.bundle.edge_start.data(),
                         model.incidence.data(),
                         model.bundle.edge_slots.data()->data(),
@@ -83,7 +86,10 @@ void assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jo
     const RowJob rows{model.bundle.row_start.data(), model.bundle.diagonal.data(), w.damped_mass.data(),
                       w.blocks.data(), w.inverse.data()};
     for_pieces(jobs, model.node_count, nodes_per_piece,
-               [&](std::size_t, std::size_t b, std::size_t e) { kernels.rows(rows, b, e); });
+               [&](std::size_t piece, std::size_t b, std::size_t e) { w.raised[piece] = kernels.rows(rows, b, e); });
+    const std::size_t pieces = (model.node_count + nodes_per_piece - 1) / nodes_per_piece;
+    return std::any_of(w.raised.begin(), w.raised.begin() + static_cast<std::ptrdiff_t>(pieces),
+                       [](std::uint32_t count) { return count > 0; });
 }
 
 // v += dv, x += dt v; a node whose numbers overflowed stops where it is. Says whether one did.
@@ -119,17 +125,18 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     start_velocities(model, state, workspace, input);
     const ElementCounts counts = run_elements(model, state, workspace, input, settings, wide, jobs);
     gather_loads(model, workspace, wide, jobs);
-    assemble(model, workspace, wide, jobs);
+    const bool is_too_stiff = assemble(model, workspace, wide, jobs);
     constrain_inverse(model, workspace, constraints.partial);
     const Solved solved = solve(model, workspace, constraints.partial, settings, wide, jobs);
+    restrain(model, state, workspace, constraints, solved, wide, jobs);
     if (!input.reactions.empty()) write_reactions(model, workspace, constraints.partial, input);
     const bool has_overflowed = integrate(model, state, workspace, input.dt);
 
     state.header->last_dt = input.dt;
     ++state.header->step_count;
     report = {solved.iterations, solved.residual, counts.degenerate, counts.yielding, 0};
-    if (solved.is_too_stiff) report.warnings |= step_too_stiff;
-    if (has_overflowed) report.warnings |= step_not_finite;
+    if (is_too_stiff || solved.is_too_stiff) report.warnings |= step_too_stiff;
+    if (has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;
     if (constraints.has_bad) report.warnings |= step_bad_constraint;
     return report;
 }
