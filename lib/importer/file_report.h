@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a file held, and what was lost before we saw it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/finding.h"
+#include "importer/format.h"
+#include "importer/import.h"
+#include "importer/scene.h"
+#include "importer/surface.h"
+
+namespace crumple::importer {
+
+[[nodiscard]] FileReport report_file(const std::string& name, const Format& format, const Placement& placement,
+                                     const Scene& scene, const Surface& surface);
+
+// Faces the reader did not deliver, points and lines dropped.
+[[nodiscard]] std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report);
+
+// Programs known to write other colours than those painted.
+[[nodiscard]] std::vector<Finding> judge_generator(const Scene& scene, std::size_t color_set_count);
+
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/shell_from_scene.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/measures.h"
+#include "importer/clean.h"
+#include "importer/components.h"
+#include "importer/file_report.h"
+#include "importer/judge.h"
+#include "importer/paint.h"
+#include "importer/roles.h"
+#include "importer/surface.h"
+#include "importer/weld.h"
+
+namespace crumple::importer {
+
+namespace {
+
+void append(std::vector<Finding>& to, std::vector<Finding> from) {
+    std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+// Vertices of the file that no triangle uses. In a vertex list, one whose position is used counts as used.
+std::uint64_t count_unused(const Surface& surface, const std::vector<Vec3>& vertex_list) {
+    if (!surface.has_vertex_list) {
+        std::vector<bool> used(surface.source_vertex_count, false);
+        for (const Triangle& t : surface.triangles) {
+            for (const Index v : t) used[surface.source_vertex[v]] = true;
+        }
+        return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
+    }
+    const auto less = [](const Vec3& a, const Vec3& b) { return lexicographic_less(a, b); };
+    std::vector<Vec3> used;
+    for (const Triangle& t : surface.triangles) {
+        for (const Index v : t) used.push_back(surface.positions[v]);
+    }
+    std::sort(used.begin(), used.end(), less);
+    return static_cast<std::uint64_t>(std::count_if(vertex_list.begin(), vertex_list.end(), [&](const Vec3& p) {
+        return !std::binary_search(used.begin(), used.end(), p, less);
+    }));
+}
+
+Welded weld_and_report(const Surface& surface, const PaintedVertices& painted, const Params& params, Report& report) {
+    Welded welded = weld(surface, painted, params.weld_tolerance);
+    report.welded = welded.exact_merges;
+    report.welded_by_tolerance = welded.tolerance_merges;
+    report.weld_distance = welded.farthest;
+    report.lock_conflicts = welded.conflicts.count;
+    return welded;
+}
+
+void clean_and_report(const Surface& surface, Welded& welded, Report& report) {
+    const Cleaned cleaned = clean(surface, welded);
+    report.repeated_index_triangles = cleaned.repeated_index;
+    report.zero_area_triangles = cleaned.zero_area;
+    report.duplicate_triangles = cleaned.duplicates;
+    append(report.findings, cleaned.findings);
+}
+
+Components split_and_report(const Surface& surface, Welded& welded, Report& report) {
+    Components components = split_components(surface, welded);
+    report.flipped_triangles = components.flipped;
+    report.open_edges = components.open_edges;
+    report.non_manifold_edges = components.non_manifold_edges;
+    append(report.findings, components.findings);
+    return components;
+}
+
+Shell shell_from(Welded welded, const Components& components) {
+    Shell shell;
+    shell.positions = std::move(welded.positions);
+    shell.triangles = std::move(welded.triangles);
+    shell.color = std::move(welded.colors);
+    shell.locked = std::move(welded.locked);
+    shell.source_vertex = std::move(welded.source_vertex);
+    shell.component = components.of_triangle;
+    return shell;
+}
+
+void report_components(const Shell& shell, const Components& components, Report& report) {
+    for (std::size_t c = 0; c < shell.components.size(); ++c) {
+        const Component& component = shell.components[c];
+        const std::string parent = component.parent == none ? "" : shell.components[component.parent].name;
+        report.components.push_back({component.name, component.material, component.role, component.role_reason, parent,
+                                     components.facts[c].triangle_count, component.volume, component.is_closed,
+                                     component.is_inward});
+    }
+}
+
+void report_shell(const Shell& shell, const Components& components, Report& report) {
+    report.vertices = shell.positions.size();
+    report.triangles = shell.triangles.size();
+    report.diagonal = bounding_box(shell.positions).diagonal();
+    report.locked = static_cast<std::uint64_t>(std::count(shell.locked.begin(), shell.locked.end(), 1));
+    report_components(shell, components, report);
+}
+
+}
+
+Shell shell_from_scene(const Scene& scene, const Format& format, const std::string& fallback_name, const Params& params,
+                       const Context& context, Report& report) {
+    const Placement placement = placement_of(scene, params);
+    Surface surface = flatten(scene, placement, params, fallback_name);
+    report.shell = report_file("shell", format, placement, scene, surface);
+    append(report.findings, judge_reading(scene, report.shell));
+    const PaintedVertices painted = read_paint(scene, format, params, surface);
+    report.color_sets = painted.set_count;
+    report.painted_copies = painted.locked_count;
+    report.unused_vertices = count_unused(surface, place_vertex_list(scene, placement));
+    append(report.findings, judge_generator(scene, painted.set_count));
+    context.stop_if_cancelled();
+
+    Welded welded = weld_and_report(surface, painted, params, report);
+    const Finding conflicts = welded.conflicts;
+    clean_and_report(surface, welded, report);
+    const Components components = split_and_report(surface, welded, report);
+    Shell shell = shell_from(std::move(welded), components);
+    check_usable(shell, report.shell.triangles);
+    context.stop_if_cancelled();
+
+    append(report.findings, assign_roles(surface, components, params, shell));
+    report_shell(shell, components, report);
+    append(report.findings, judge_shape(shell, context, report.self_intersections));
+    append(report.findings, judge_precision(shell, report.diagonal));
+    append(report.findings, judge_locks(shell, painted, conflicts, params));
+    return shell;
+}
+
+}
