@@ -216,6 +216,4 @@ double WindingNumber::at(Vec3 p) const {
     return whole + sum.fraction();
 }
 
-bool WindingNumber::exceeds(Vec3 p, double threshold) const { return std::fabs(at(p)) > threshold; }
-
 }

@@ -27,9 +27,6 @@ public:
     // triangles and one solid angle a boundary edge.
     [[nodiscard]] double at(Vec3 p) const;
 
-    // Whether |at(p)| > threshold.
-    [[nodiscard]] bool exceeds(Vec3 p, double threshold) const;
-
 private:
     struct Surface;
     std::unique_ptr<Surface> surface_;

@@ -77,7 +77,7 @@ ShellInterior::~ShellInterior() = default;
 
 Index ShellInterior::innermost(Vec3 p) const {
     for (const Index component : parts_->by_volume) {
-        if (parts_->winding[component].exceeds(p, inside_threshold)) return component;
+        if (winding(component, p) > inside_threshold) return component;
     }
     return none;
 }

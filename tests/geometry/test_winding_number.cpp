@@ -77,21 +77,6 @@ TEST(WindingNumber, EqualsTheDefinitionOnClosedAndOpenSurfaces) {
     }
 }
 
-TEST(WindingNumber, ExceedsDecidesLikeTheNumberItself) {
-    Soup soup = wavy_torus(64, 40);
-    for (const int dropped : {0, 1, 900}) {
-        soup.triangles.resize(soup.triangles.size() - dropped);
-        const WindingNumber winding(soup.positions, soup.triangles);
-        for (const Vec3 p : points_around(19, 400)) {
-            for (const double threshold : {0.3, 0.5, 0.7}) {
-                EXPECT_EQ(winding.exceeds(p, threshold), std::fabs(winding.at(p)) > threshold);
-            }
-        }
-        for (const Vec3 p : soup.positions) EXPECT_EQ(winding.exceeds(p, 0.5), std::fabs(winding.at(p)) > 0.5);
-    }
-    EXPECT_FALSE(WindingNumber({}, {}).exceeds({1, 2, 3}, 0.5));
-}
-
 TEST(WindingNumber, IsAWholeNumberOffAClosedSurface) {
     const Soup soup = wavy_torus(48, 24);
     const WindingNumber winding(soup.positions, soup.triangles);
