@@ -6,6 +6,7 @@
 #include "samples/car_profile.h"
 #include "samples/curve.h"
 #include "samples/loft.h"
+#include "samples/off_circle.h"
 #include "samples/solids.h"
 
 namespace crumple::samples {
@@ -70,24 +71,49 @@ Part body() {
     }
     close_end(part, rings.front(), begin, -0.03, false);
     close_end(part, rings.back(), end, 0.03, true);
+    move_off_circles(part);
     return part;
 }
 
+// Four corners of a rectangle lie on a circle, and a tetrahedron of four such shell vertices is flat for ever. So rings
+// are staggered, ends are domed, and no two triangles of these shells make a rectangle.
 Part engine_block() {
     Part part{"engine_block", {}, {}, {}};
-    add_box(part, {{0, 0.47, 1.36}, {0.33, 0.24, 0.36}, {4, 3, 4}, 0.25}, locked);
+    constexpr Vec3 middle = {0, 0.47, 1.36};
+    constexpr Vec3 half = {0.33, 0.24, 0.36};
+    constexpr int stations = 5;
+    Ring last;
+    for (int i = 0; i < stations; ++i) {
+        const double z = middle.z + half.z * (2.0 * i / (stations - 1) - 1);
+        std::vector<Vec3> outline;  // a square with round corners, counter-clockwise from below
+        for (int k = 0; k < 128; ++k) {
+            const Turn t = turn((k + 96) % 128 / 128.0);
+            const double square = 1 / std::max(std::abs(t.cosine), std::abs(t.sine));
+            const double r = 0.32 + 0.60 * square;
+            outline.push_back({middle.x + half.x * r * t.cosine, middle.y + half.y * r * t.sine, z});
+        }
+        const Ring ring = add_ring(part, outline, 12, i % 2 ? 0.5 : 0, locked);
+        if (i == 0) close_with_point(part, reversed(ring), {middle.x, middle.y, z - 0.04}, locked);
+        if (i > 0) stitch(part, last, ring);
+        last = ring;
+    }
+    close_with_point(part, last, {middle.x, middle.y, middle.z + half.z + 0.04}, locked);
     return part;
 }
 
 // A drum around a wheel: the wheel keeps its shape whatever happens to the body.
 Part wheel_house(const char* name, double side, double z) {
-    constexpr int segments = 10;
-    constexpr double half_width = 0.15;
+    constexpr int segments = 11;  // odd: no vertex faces another
+    constexpr double half_width = 0.135;
+    constexpr double dome = 0.03;
     const double rim = (car::wheel_radius + 0.02) / turn(0.5 / segments).cosine;  // the drum's flats clear the tyre
     Part part{name, {}, {}, {}};
-    const Vec3 profile[] = {{-half_width, 0, 0},  {-half_width, 0.5 * rim, 0}, {-half_width, rim, 0}, {0, rim, 0},
-                            {half_width, rim, 0}, {half_width, 0.5 * rim, 0},  {half_width, 0, 0}};
-    add_revolved(part, {side * car::wheel_middle_x, car::wheel_radius, z}, profile, segments, locked);
+    const Vec3 profile[] = {{-half_width - dome, 0, 0},
+                            {-half_width, rim, 0},
+                            {0, 1.03 * rim, 0},
+                            {half_width, rim, 0},
+                            {half_width + dome, 0, 0}};
+    add_revolved(part, {side * car::wheel_middle_x, car::wheel_radius, z}, profile, segments, locked, true);
     return part;
 }
 

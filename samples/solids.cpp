@@ -76,7 +76,7 @@ void add_box(Part& part, const Box& box, Color color) {
     }
 }
 
-void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color) {
+void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color, bool staggers) {
     Ring last;
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const Vec3 middle = centre + Vec3{profile[i].x, 0, 0};
@@ -86,7 +86,7 @@ void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int se
             return;
         }
         if (r == 0) continue;
-        const Ring ring = circle_ring(part, middle, {0, r, 0}, {0, 0, r}, segments, 0, color);
+        const Ring ring = circle_ring(part, middle, {0, r, 0}, {0, 0, r}, segments, staggers && i % 2 ? 0.5 : 0, color);
         if (last.vertices.empty()) {
             close_with_point(part, reversed(ring), centre + Vec3{profile[0].x, 0, 0}, color);
         } else {

@@ -17,8 +17,10 @@ struct Box {
 void add_box(Part& part, const Box& box, Color color);
 
 // A solid of revolution around the x axis through `centre`. The profile holds (x, radius) pairs as Vec3{x, radius, 0}
-// from low x to high x; its two ends are closed by discs unless their radius is 0.
-void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color);
+// from low x to high x; its two ends are closed by discs unless their radius is 0. Staggered rings give triangles of
+// equal sides instead of halves of rectangles.
+void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color,
+                  bool staggers = false);
 
 // A ring of round cross-section around `axis` (0: x, 1: y, 2: z).
 struct Torus {

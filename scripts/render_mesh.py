@@ -146,7 +146,7 @@ def locks_of(part, size):
     return actor
 
 
-def scene(args, view):
+def scene(args, view, aspect):
     import vtk
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(0.93, 0.94, 0.96)
@@ -162,7 +162,7 @@ def scene(args, view):
             renderer.AddActor(actor_of(part, args, part.name in args.ghost or stem in args.ghost))
             if args.locks and part.locked.any():
                 renderer.AddActor(locks_of(part, numpy.linalg.norm(high - low)))
-    aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), view, args.zoom)
+    aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), view, args.zoom * min(1, aspect / 1.5))
     return renderer
 
 
@@ -189,12 +189,13 @@ def draw(args):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(*[int(n) for n in args.size.split("x")])
+    width, height = [int(n) for n in args.size.split("x")]
+    window.SetSize(width, height)
     views = args.view.split(",")
     columns = math.ceil(math.sqrt(len(views)))
     rows = math.ceil(len(views) / columns)
     for number, view in enumerate(views):
-        renderer = scene(args, view)
+        renderer = scene(args, view, (width / columns) / (height / rows))
         column, row = number % columns, rows - 1 - number // columns
         renderer.SetViewport(column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
         window.AddRenderer(renderer)
