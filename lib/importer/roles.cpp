@@ -124,6 +124,21 @@ std::optional<Decision> by_recipe(const Surface& surface, const Component& compo
     return std::nullopt;
 }
 
+// By triangle, so a component that shares locked vertices with its neighbour is judged by its own.
+std::vector<std::uint8_t> fully_locked(const Shell& shell) {
+    std::vector<std::uint8_t> result(shell.components.size(), 1);
+    for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
+        for (const Index v : shell.triangles[t]) result[shell.component[t]] &= shell.locked[v];
+    }
+    return result;
+}
+
+// A part painted all over inside another one is an engine block: nothing of it can deform. Painted all over and inside
+// nothing, it is more likely a default colour (LOCK_NEARLY_ALL says so) and stays as it was.
+bool is_rigid_by_paint(const Component& component, const Decision& decision, bool is_fully_locked) {
+    return is_fully_locked && component.is_closed && component.parent != none && decision.role == Role::solid;
+}
+
 Decision by_winding(const Shell& shell, const Component& component) {
     if (!component.is_closed) return {Role::solid, "open: taken as solid"};
     const std::string inside =
@@ -206,12 +221,17 @@ std::vector<Finding> assign_roles(const Surface& surface, const Components& comp
                                   Shell& shell) {
     name_components(surface, components, shell);
     Nesting nesting(shell);
+    const std::vector<std::uint8_t> is_fully_locked = fully_locked(shell);
     std::set<std::string> used;
     for (const Index c : by_falling_volume(shell)) {
         Component& component = shell.components[c];
         component.parent = nesting.parent_of(c);
         Decision decision = by_winding(shell, component);
         const bool is_cavity = decision.role == Role::cavity;
+        if (is_rigid_by_paint(component, decision, is_fully_locked[c] != 0)) {
+            decision = {Role::rigid, "paint: every vertex is locked, inside '" +
+                                         shell.components[component.parent].name + "'"};
+        }
         if (auto wanted = by_recipe(surface, component, components.facts[c], is_cavity, params, used))
             decision = *wanted;
         component.role = decision.role;

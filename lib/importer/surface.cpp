@@ -111,7 +111,10 @@ void add_instance(const SceneMesh& mesh, Index first_source, const Affine& trans
         surface.positions.push_back(place(transform, mesh.positions[v]));
         surface.source_vertex.push_back(surface.has_vertex_list ? mesh.file_vertex[v]
                                                                 : first_source + static_cast<Index>(v));
-        surface.colors.push_back(has_color(mesh, color_set) ? mesh.colors[color_set][v] : Color{1, 1, 1, 1});
+    }
+    if (has_color(mesh, color_set)) {
+        surface.colors.resize(base, {1, 1, 1, 1});
+        surface.colors.insert(surface.colors.end(), mesh.colors[color_set].begin(), mesh.colors[color_set].end());
     }
     surface.vertex_part.resize(surface.positions.size(), part);
     const bool is_mirrored = determinant(transform) < 0;
@@ -155,6 +158,7 @@ Surface flatten(const Scene& scene, const Placement& placement, const Params& pa
             add_instance(mesh, first_source[m], transform, params.color_set, surface);
         }
     }
+    if (!surface.colors.empty()) surface.colors.resize(surface.positions.size(), {1, 1, 1, 1});
     return surface;
 }
 
