@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/usage.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+TEST(Usage, MemoryThatWasHeldAndGivenBackCounts) {
+    const crumple::pipeline::UsageMeter meter;
+    const double before = meter.read().peak_memory_mb;
+    {
+        std::vector<char> block(64u << 20, 1);
+        EXPECT_EQ(block[block.size() / 2], 1);
+    }
+    EXPECT_GE(meter.read().peak_memory_mb, before + 60);
+}
+
+TEST(Usage, TimesNeverRunBackwards) {
+    const crumple::pipeline::UsageMeter meter;
+    const auto first = meter.read();
+    double sum = 0;
+    for (int i = 0; i < 1000000; ++i) sum += i;
+    const auto second = meter.read();
+    EXPECT_GT(sum, 0);
+    EXPECT_GE(first.wall_s, 0);
+    EXPECT_GE(second.wall_s, first.wall_s);
+    EXPECT_GE(second.cpu_s, first.cpu_s);
+}
