@@ -22,13 +22,15 @@ struct Split {
     std::vector<Finding> findings;  // of the roles
 };
 
-Split split(const Surface& surface, const Params& params = {}) {
+// Locks every vertex with x >= locked_from.
+Split split(const Surface& surface, const Params& params = {}, double locked_from = 1e9) {
     Split result;
     Welded welded = weld_unpainted(surface);
     result.components = split_components(surface, welded);
     result.shell.positions = welded.positions;
     result.shell.triangles = welded.triangles;
     result.shell.component = result.components.of_triangle;
+    for (const Vec3 p : result.shell.positions) result.shell.locked.push_back(p.x >= locked_from);
     result.findings = assign_roles(surface, result.components, params, result.shell);
     return result;
 }
@@ -201,6 +203,23 @@ TEST(Roles, RecipeWinsByNameMeshOrMaterial) {
     ASSERT_NE(unknown, nullptr);
     EXPECT_TRUE(test::contains(unknown->message, "'wheel'")) << unknown->message;
     EXPECT_TRUE(test::contains(unknown->message, "'engine'")) << unknown->message;
+}
+
+TEST(Roles, PaintedAllOverInsideAnotherIsRigid) {
+    Surface surface = surface_of(shapes::box({0, 0, 0}, {9, 9, 9}));
+    add_object(surface, surface_of(shapes::box({4, 1, 1}, {5, 2, 2})), "engine");
+    const Split engine = split(surface, {}, 4);
+    EXPECT_EQ(engine.shell.components[0].role, Role::solid);
+    EXPECT_EQ(engine.shell.components[1].role, Role::rigid);
+    EXPECT_EQ(engine.shell.components[1].role_reason, "paint: every vertex is locked, inside 'thing'");
+    EXPECT_EQ(split(surface, {}, 5).shell.components[1].role, Role::solid);
+
+    const Split all = split(surface, {}, 0);
+    EXPECT_EQ(all.shell.components[0].role, Role::solid);
+
+    Params params;
+    params.roles = {{"engine", Role::solid}};
+    EXPECT_EQ(split(surface, params, 4).shell.components[1].role, Role::solid);
 }
 
 TEST(Roles, RecipeForAnObjectLeavesItsCavity) {
