@@ -72,14 +72,18 @@ Model duplicate() {  // some triangles are there twice
     return {part};
 }
 
-Model degenerate() {  // triangles without area: a corner twice, and three corners in a line
-    Part part = sound("degenerate");
+Model degenerate() {  // triangles without area: corners in a line where a vertex sits on its neighbour's edge, a corner
+                      // twice
+    Part part{"degenerate", {}, {}, {}};
+    add_box(part, {{0, 0.5, 0}, {0.5, 0.5, 0.5}, {2, 2, 2}, 0}, unlocked);
+    part.colors.front() = locked;
     const auto [a, b, c] = part.triangles.front();
+    const Index middle =
+        add_vertex(part, (part.positions[a] + part.positions[b]) * 0.5, unlocked);  // exact: halves of halves
+    part.triangles.front() = {a, middle, c};
+    part.triangles.push_back({middle, b, c});
+    part.triangles.push_back({a, b, middle});
     part.triangles.push_back({a, a, b});
-    part.triangles.push_back({b, c, c});
-    const Vec3 middle = (part.positions[a] + part.positions[b]) * 0.5;
-    const Index between = add_vertex(part, middle, unlocked);
-    part.triangles.push_back({a, between, between});
     return {part};
 }
 
@@ -120,14 +124,14 @@ constexpr BrokenShell table[] = {
     {"open", "SHELL_OPEN", open},
     {"non_manifold", "SHELL_NON_MANIFOLD", non_manifold},
     {"flipped", "SHELL_INCONSISTENT", flipped},
-    {"inside_out", "SHELL_INSIDE_OUT", inside_out},
+    {"inside_out", "SHELL_INVERTED", inside_out},
     {"self_intersecting", "SHELL_SELF_INTERSECTING", self_intersecting},
     {"overlapping", "SHELL_OVERLAPPING", overlapping},
     {"duplicate", "SHELL_DUPLICATE", duplicate},
     {"degenerate", "SHELL_DEGENERATE", degenerate},
     {"thin_sheet", "", thin_sheet},
     {"needle", "", needle},
-    {"nothing_painted", "COLOR_MISSING", nothing_painted},
+    {"nothing_painted", "LOCK_NOTHING_PAINTED", nothing_painted},
     {"all_painted", "LOCK_NEARLY_ALL", all_painted},
     {"points_only", "", points_only},
 };

@@ -10,8 +10,8 @@ crumple=build/release/crumple
 
 out=build/sample
 mkdir -p "$out"
-echo "== cook: samples/car with the recipe pipelines/car_body.json" >&2
-"$crumple" cook pipelines/car_body.json \
+echo "== cook: samples/car with the recipe samples/recipes/car.json" >&2
+"$crumple" cook samples/recipes/car.json \
     --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb \
     -o "$out/car.hdf" --report "$out/car.report.json"
 "$crumple" check "$out/car.hdf"
