@@ -74,6 +74,8 @@ std::uint64_t number(const Json& object, const char* name, std::uint64_t absent)
     return found->get<std::uint64_t>();
 }
 
+constexpr std::uint64_t component_float = 5126;
+
 std::uint64_t component_size(std::uint64_t type) {
     switch (type) {
         case 5120:
@@ -129,14 +131,7 @@ void check_accessor(const Json& document, const Json& accessor, std::size_t inde
     }
 }
 
-std::uint64_t accessor_count(const Json& document, std::uint64_t index) {
-    const Json& accessors = list(document, "accessors");
-    if (index >= accessors.size())
-        refuse("a primitive refers to accessor " + std::to_string(index) + ", which is not there");
-    return number(accessors[index], "count", 0);
-}
-
-// COUNT real numbers under a key, or those given where the key is absent.
+// `count` real numbers under a key, or those given where the key is absent.
 template <std::size_t count>
 std::array<double, count> reals(const Json& object, const char* name, std::array<double, count> values) {
     const auto found = object.find(name);
@@ -172,19 +167,52 @@ void check_version(const Json& document) {
            " is not read (its colours would be lost); export glTF 2.0");
 }
 
-constexpr std::uint64_t triangles_mode = 4;
+const Json& accessor_at(const Json& document, std::uint64_t index) {
+    const Json& accessors = list(document, "accessors");
+    if (index < accessors.size()) return accessors[index];
+    refuse("a primitive refers to accessor " + std::to_string(index) + ", which is not there");
+}
+
+// assimp copies positions as floats whatever they are, and leaves out colours of another count without a word.
+void check_attributes(const Json& document, const Json& attributes) {
+    if (!attributes.is_object()) refuse("a primitive's attributes are not an object");
+    const std::uint64_t position = number(attributes, "POSITION", none);
+    if (position == none) return;
+    const Json& positions = accessor_at(document, position);
+    if (number(positions, "componentType", 0) != component_float || component_count(positions) != 3) {
+        refuse("positions are not three floats (quantized?); export without compression");
+    }
+    for (const auto& [name, accessor] : attributes.items()) {
+        if (!name.starts_with("COLOR_")) continue;
+        const std::uint64_t colors = number(accessor_at(document, number(attributes, name.c_str(), none)), "count", 0);
+        if (colors != number(positions, "count", 0)) {
+            refuse(name + " holds " + std::to_string(colors) + " colours for " +
+                   std::to_string(number(positions, "count", 0)) + " vertices");
+        }
+    }
+}
 
 std::uint64_t triangles_of(const Json& document, const Json& primitive) {
-    const std::uint64_t mode = number(primitive, "mode", triangles_mode);
+    constexpr std::uint64_t triangles_mode = 4;  // below: points and lines; above: strips and fans
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end()) refuse("a primitive has no attributes");
+    check_attributes(document, *attributes);
+    const std::uint64_t mode = number(primitive, "mode", triangles_mode);
     const std::uint64_t position = number(*attributes, "POSITION", none);
-    if (position == none) return 0;
-    const std::uint64_t vertices = accessor_count(document, position);
     const std::uint64_t indices = number(primitive, "indices", none);
-    const std::uint64_t corners = indices == none ? vertices : accessor_count(document, indices);
+    if (position == none || mode < triangles_mode) return 0;
+    const std::uint64_t corners = number(accessor_at(document, indices == none ? position : indices), "count", 0);
     if (mode == triangles_mode) return corners / 3;
-    return mode > triangles_mode && corners >= 3 ? corners - 2 : 0;
+    return corners >= 3 ? corners - 2 : 0;
+}
+
+// Extensions that change how geometry is stored and that assimp does not know; it would read noise.
+void check_extensions(const Json& document) {
+    for (const Json& name : list(document, "extensionsRequired")) {
+        for (const char* unread : {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+            if (name == unread) refuse(std::string("it needs ") + unread + ", which is not read; export without it");
+        }
+    }
 }
 
 }
@@ -192,6 +220,7 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive) {
 Prescan prescan_gltf(std::string_view bytes) {
     const Json document = parse(is_binary(bytes) ? json_of_binary(bytes) : bytes);
     check_version(document);
+    check_extensions(document);
     const Json& views = list(document, "bufferViews");
     for (std::size_t i = 0; i < views.size(); ++i) check_view(document, views[i], i);
     const Json& accessors = list(document, "accessors");

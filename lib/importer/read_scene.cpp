@@ -114,6 +114,11 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, Purpose purpose) {
     return mesh;
 }
 
+// Some programs hide a colour a face in STL's spare bits, and a default one in its header: nobody's paint.
+void forget_colors(Scene& scene) {
+    for (SceneMesh& mesh : scene.meshes) mesh.colors.clear();
+}
+
 Affine copy_transform(const aiMatrix4x4& m, const char* node) {
     if (m.d1 != 0 || m.d2 != 0 || m.d3 != 0 || m.d4 != 1)
         refuse(std::string("the transform of node '") + node + "' is not affine");
@@ -154,6 +159,7 @@ Scene read_scene(const std::string& path, const Format& format, Purpose purpose)
     scene.expected_triangles = scan.expected_triangles;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
+    if (format.id == FormatId::stl) forget_colors(scene);
     read_file_space(from, format.id, scene);
     restore(std::move(scan), scene);
     return scene;

@@ -229,8 +229,8 @@ std::vector<Finding> assign_roles(const Surface& surface, const Components& comp
         Decision decision = by_winding(shell, component);
         const bool is_cavity = decision.role == Role::cavity;
         if (is_rigid_by_paint(component, decision, is_fully_locked[c] != 0)) {
-            decision = {Role::rigid, "paint: every vertex is locked, inside '" +
-                                         shell.components[component.parent].name + "'"};
+            decision = {Role::rigid,
+                        "paint: every vertex is locked, inside '" + shell.components[component.parent].name + "'"};
         }
         if (auto wanted = by_recipe(surface, component, components.facts[c], is_cavity, params, used))
             decision = *wanted;

@@ -89,6 +89,18 @@ TEST(Blender, FbxInCentimetresAndTurnedByItsNodeIsRight) {
     }
 }
 
+TEST(Blender, FilesWithZUpAreTurned) {
+    const Result collada = import_shell(fixture("blender.z_up.dae"));
+    expect_truth(collada, 1e-6);
+    EXPECT_EQ(collada.report.shell.up, "z");
+    EXPECT_EQ(collada.report.shell.unit, 1);
+    Params params;
+    params.unit = 0.1;  // exported at a tenth of its size, and FBX would say centimetres
+    const Result fbx = import_shell(fixture("blender.z_up.fbx"), params);
+    expect_truth(fbx, 1e-6);
+    EXPECT_EQ(fbx.report.shell.up, "z");
+}
+
 TEST(Blender, ObjIsExactToItsSixDecimals) {
     for (const char* name : {"byte_corner", "byte_point", "float_corner", "float_point"}) {
         expect_truth(import_shell(fixture(std::string("blender.") + name + ".obj")), 1e-6);

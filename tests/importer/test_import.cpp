@@ -270,6 +270,27 @@ TEST(Import, CancelledImportStops) {
     EXPECT_EQ(test::refusal_of([&] { (void)import_asset({path, {}}, {}, context); }).kind, ErrorKind::budget);
 }
 
+// Black facets and a black default colour, as some programs write them: no paint of an artist.
+TEST(Import, ColoursHiddenInStlLockNothing) {
+    const Shell shell = shapes::box();
+    std::string stl = "COLOR=";
+    stl.append("\0\0\0\xff", 4).resize(80, ' ');
+    const auto put = [&](const auto& value) { stl.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    put(static_cast<std::uint32_t>(shell.triangles.size()));
+    for (const Triangle& t : shell.triangles) {
+        for (int i = 0; i < 3; ++i) put(0.0f);
+        for (const Index v : t) {
+            for (int axis = 0; axis < 3; ++axis) put(static_cast<float>(shell.positions[v][axis]));
+        }
+        put(static_cast<std::uint16_t>(0x8000));
+    }
+    const TempFolder folder;
+    const Result result = import_shell(folder.write("box.stl", stl));
+    EXPECT_EQ(result.report.locked, 0u);
+    EXPECT_TRUE(has(result.report, "LOCK_NOTHING_PAINTED"));
+    EXPECT_EQ(result.asset.shell.positions.size(), 8u);
+}
+
 // A damaged copy of a good file is read or refused, never worse.
 void expect_no_crash(const std::string& extension, const std::string& good, std::size_t step) {
     const TempFolder folder;

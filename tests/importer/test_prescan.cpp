@@ -177,6 +177,22 @@ TEST(PrescanGltf, RefusesAccessorsBeyondTheirBuffer) {
     EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"scale": [1, 2]}])")), "scale is not 3 numbers"));
 }
 
+TEST(PrescanGltf, RefusesWhatWouldBeReadAsNoise) {
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("extensionsRequired": ["EXT_meshopt_compression"])")),
+                         "EXT_meshopt_compression"));
+    EXPECT_EQ(gltf_message(gltf(R"("extensionsRequired": ["KHR_texture_transform"])")), "");
+    const auto mesh = [](const std::string& accessors) {
+        return gltf(R"("accessors": [)" + accessors +
+                    R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
+    };
+    const std::string position = R"({"componentType": 5126, "type": "VEC3", "count": 3})";
+    const std::string color = R"({"componentType": 5121, "type": "VEC4", "count": )";
+    EXPECT_EQ(gltf_message(mesh(position + ", " + color + "3}")), "");
+    EXPECT_TRUE(contains(gltf_message(mesh(position + ", " + color + "2}")), "COLOR_0 holds 2 colours for 3 vertices"));
+    EXPECT_TRUE(contains(gltf_message(mesh(R"({"componentType": 5122, "type": "VEC3", "count": 3}, )" + color + "3}")),
+                         "not three floats"));
+}
+
 TEST(PrescanGltf, RefusesBinaryFilesWithLyingSizes) {
     const std::string json = R"({"asset": {"version": "2.0"}}   )";
     const auto u32 = [](std::uint32_t value) {
