@@ -64,6 +64,23 @@ Choice choose_nodes(const Shell& shell, const Bundle& bundle, const SensorParams
     return Choice(bundle.rest_positions.size(), 0);
 }
 
+// Why nothing was chosen, with what to try.
+std::string emptiness_of(const Shell& shell, const SensorParams& sensor) {
+    const std::string what = "sensor '" + sensor.name + "' is left out: ";
+    const auto has_name = [&](const Component& component) { return component.name == sensor.component; };
+    switch (sensor.by) {
+        case SensorBy::box:
+            return what + "no node lies in its box; widen it";
+        case SensorBy::component:
+            if (std::any_of(shell.components.begin(), shell.components.end(), has_name)) break;
+            return what + "the shell has no component '" + sensor.component + "'";
+        case SensorBy::color:
+            if (shell.color.empty()) return what + "the shell has no colours";
+            return what + "no shell vertex has its colour; raise color_tolerance";
+    }
+    return what + "no tet uses its component";
+}
+
 BundleSensor weigh_nodes(const Bundle& bundle, const std::string& name, const Choice& chosen) {
     BundleSensor sensor{name, {}, {}, {}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     double total = 0;
@@ -109,11 +126,7 @@ std::vector<BundleSensor> bake_sensors(const Shell& shell, const Bundle& bundle,
         }
         BundleSensor sensor = weigh_nodes(bundle, wanted.name, choose_nodes(shell, bundle, wanted));
         if (sensor.node.empty()) {
-            findings.push_back({"SENSOR_EMPTY",
-                                Severity::warning,
-                                "no control node fits sensor '" + wanted.name + "', it is left out; widen its choice",
-                                1,
-                                {}});
+            findings.push_back({"SENSOR_EMPTY", Severity::warning, emptiness_of(shell, wanted), 1, {}});
             continue;
         }
         if (is_straight(bundle, sensor)) {

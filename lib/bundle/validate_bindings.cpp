@@ -23,22 +23,17 @@ void check_names(const std::vector<Named>& items, Complaints& complaints) {
     }
 }
 
-double norm(const std::array<double, 9>& matrix) {
-    double sum = 0;
-    for (const double x : matrix) sum += x * x;
-    return std::sqrt(sum);
-}
-
-// Weights are computed in double, so they are off by a few 1e-16 cond(Dm), then rounded to float.
+// Weights are quotients of volumes computed in double: rounding is a few 1e-16 of the cube of the tet's size. Then they
+// are rounded to float.
 double inside_tolerance(const Bundle& b, const Tet& tet) {
     const Vec3f origin = b.rest_positions[tet[0]];
-    const auto inverse =
-        inverse_rest_matrix(origin, b.rest_positions[tet[1]], b.rest_positions[tet[2]], b.rest_positions[tet[3]]);
     double size = 0;
     for (std::size_t corner = 1; corner < 4; ++corner) {
         size = std::max(size, static_cast<double>(length(b.rest_positions[tet[corner]] - origin)));
     }
-    return 1e-6 + 1e-14 * size * norm(inverse);
+    const double volume =
+        six_volumes(origin, b.rest_positions[tet[1]], b.rest_positions[tet[2]], b.rest_positions[tet[3]]);
+    return 1e-6 + 1e-14 * size * size * size / volume;
 }
 
 void check_vertex(const Bundle& b, const BundleVisual& visual, std::size_t v, Complaints& complaints) {

@@ -11,8 +11,11 @@ class FileDescriptor {
 public:
     explicit FileDescriptor(int id) : id_(id) {}
     ~FileDescriptor() { close(); }
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
+    FileDescriptor(FileDescriptor&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+        std::swap(id_, other.id_);
+        return *this;
+    }
 
     [[nodiscard]] int id() const { return id_; }
     // False when the system reports a late write error.

@@ -82,34 +82,58 @@ private:
     sigset_t before_{};
 };
 
-// A new file beside the target that disappears again unless it was renamed.
+// A new file in the target's folder that is gone again unless it takes the target's place. It has no name before that
+// where the system can do so (Linux, most file systems), so that a killed process leaves nothing behind.
 class Temporary {
 public:
-    explicit Temporary(const fs::path& target) {
-        for (int attempt = 0;; ++attempt) {
-            path_ = folder_of(target) / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                                         std::to_string(attempt) + ".crumple-tmp");
-            id_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (id_ >= 0) return;
-            if (errno != EEXIST || attempt == 1000) fail(target, reason(errno));
+    explicit Temporary(const fs::path& target) : target_(target) {
+        if (::access("/proc/self/fd", X_OK) == 0) {
+            file_ = FileDescriptor(::open(folder_of(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));
         }
+        if (file_.id() >= 0) return;
+        take_name([&](const fs::path& name) {
+            file_ = FileDescriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            return file_.id() >= 0;
+        });
     }
     ~Temporary() {
-        if (!path_.empty()) ::unlink(path_.c_str());
+        if (!name_.empty()) ::unlink(name_.c_str());
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    [[nodiscard]] int id() const { return id_; }
-    bool rename_to(const fs::path& target) {
-        if (::rename(path_.c_str(), target.c_str()) != 0) return false;
-        path_.clear();
-        return true;
+    [[nodiscard]] int id() const { return file_.id(); }
+
+    void replace_target() {
+        if (name_.empty()) {
+            const std::string self = "/proc/self/fd/" + std::to_string(id());
+            take_name([&](const fs::path& name) {
+                return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+            });
+        }
+        if (!file_.close() || ::rename(name_.c_str(), target_.c_str()) != 0) fail(target_, reason(errno));
+        name_.clear();
     }
 
 private:
-    fs::path path_;
-    int id_ = -1;
+    // Tries names until one is free.
+    template <class Create>
+    void take_name(Create create) {
+        for (int attempt = 0; attempt < 1000; ++attempt) {
+            const fs::path name = folder_of(target_) /
+                                  (".crumple-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp");
+            if (create(name)) {
+                name_ = name;
+                return;
+            }
+            if (errno != EEXIST) break;
+        }
+        fail(target_, reason(errno));
+    }
+
+    fs::path target_;
+    fs::path name_;
+    FileDescriptor file_{-1};
 };
 
 bool write_all(int file, std::span<const std::byte> bytes) {
@@ -139,13 +163,11 @@ void check_can_write(const std::string& path) {
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
     const fs::path target = checked_target(path);
     Temporary temporary(target);
-    FileDescriptor file(temporary.id());
     {
         const SizeSignalBlock block;
-        if (!write_all(file.id(), bytes) || ::fsync(file.id()) != 0) fail(path, reason(errno));
+        if (!write_all(temporary.id(), bytes) || ::fsync(temporary.id()) != 0) fail(path, reason(errno));
     }
-    if (!file.close()) fail(path, reason(errno));
-    if (!temporary.rename_to(target)) fail(path, reason(errno));
+    temporary.replace_target();
     flush_folder(folder_of(target));
 }
 

@@ -27,6 +27,16 @@ TEST(Sensors, OneThatFindsNoNodeIsLeftOutWithAFinding) {
     EXPECT_EQ(result.report.findings[0].code, "SENSOR_EMPTY");
 }
 
+TEST(Sensors, TheFindingSaysWhyNothingFits) {
+    const auto message = [](const SensorParams& sensor) { return bake_sensor(sensor).report.findings.at(0).message; };
+    EXPECT_EQ(message(box_sensor({5, 5, 5}, {6, 6, 6})),
+              "sensor 'probe' is left out: no node lies in its box; widen it");
+    EXPECT_EQ(message({"a", SensorBy::component, {}, {}, "wheel", {}, 0}),
+              "sensor 'a' is left out: the shell has no component 'wheel'");
+    EXPECT_EQ(message({"b", SensorBy::color, {}, {}, "", {0, 1, 0}, 0}),
+              "sensor 'b' is left out: the shell has no colours");
+}
+
 TEST(Sensors, NodesOnALineAreAFinding) {
     const bake::Result result = bake_sensor(box_sensor({0, 1, 0}, {1, 1, 0}));
     ASSERT_EQ(result.bundle.sensors.size(), 1u);
