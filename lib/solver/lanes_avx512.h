@@ -104,25 +104,34 @@ inline float sum(Quads a) {
 
 inline constexpr __mmask16 nine = 0x1ff;
 
-// Block lane 3 c + r meets x[c]. Two sums, or each addition would wait for the one before.
+// Eight elements in one register and the ninth in another: a 64-byte load of 36 would straddle two cache lines nearly
+// always. Two sums of each, or every addition would wait for the one before.
 struct RowSum {
-    __m512 even = _mm512_setzero_ps();
-    __m512 odd = _mm512_setzero_ps();
-    const __m512i order = _mm512_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3);
-    // Reads 64 bytes of the block: lanes above nine meet x[3] = 0.
+    __m256 even = _mm256_setzero_ps();
+    __m256 odd = _mm256_setzero_ps();
+    __m128 last_even = _mm_setzero_ps();  // lane 3 counts
+    __m128 last_odd = _mm_setzero_ps();
     void add(const float* block, const float* x) {
-        const __m512 spread = _mm512_permutexvar_ps(order, _mm512_castps128_ps512(_mm_load_ps(x)));
-        const __m512 product = _mm512_fmadd_ps(_mm512_maskz_loadu_ps(nine, block), spread, even);
+        const __m256i order = _mm256_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2);
+        const __m128 node = _mm_load_ps(x);
+        const __m256 spread = _mm256_permutevar8x32_ps(_mm256_castps128_ps256(node), order);
+        const __m256 eight = _mm256_fmadd_ps(_mm256_loadu_ps(block), spread, even);
         even = odd;
-        odd = product;
+        odd = eight;
+        const __m128 last = _mm_fmadd_ps(_mm_loadu_ps(block + 5), _mm_permute_ps(node, 0xbf), last_even);  // w w w z
+        last_even = last_odd;
+        last_odd = last;
     }
     void store(float* y) const {
-        const __m512 all = _mm512_add_ps(even, odd);
-        const __m512i second = _mm512_setr_epi32(3, 4, 5, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15);
-        const __m512i third = _mm512_setr_epi32(6, 7, 8, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15);
-        const __m512 ab = _mm512_add_ps(all, _mm512_permutexvar_ps(second, all));
-        const __m512 abc = _mm512_add_ps(ab, _mm512_permutexvar_ps(third, all));
-        _mm_store_ps(y, _mm_blend_ps(_mm512_castps512_ps128(abc), _mm_setzero_ps(), 8));
+        const __m256 eight = _mm256_add_ps(even, odd);
+        const __m128 last = _mm_add_ps(last_even, last_odd);
+        const __m128 second =
+            _mm256_castps256_ps128(_mm256_permutevar8x32_ps(eight, _mm256_setr_epi32(3, 4, 5, 5, 5, 5, 5, 5)));
+        const __m128 third = _mm_insert_ps(
+            _mm256_castps256_ps128(_mm256_permutevar8x32_ps(eight, _mm256_setr_epi32(6, 7, 7, 7, 7, 7, 7, 7))), last,
+            0xe8);  // element 3 to lane 2, lane 3 zero
+        const __m128 sum = _mm_add_ps(_mm_add_ps(_mm256_castps256_ps128(eight), second), third);
+        _mm_store_ps(y, _mm_blend_ps(sum, _mm_setzero_ps(), 8));
     }
 };
 
