@@ -42,26 +42,13 @@ void InsideTets::remember(const TetMesh& mesh, const std::vector<std::uint8_t>& 
     std::inplace_merge(known_.begin(), known_.begin() + middle, known_.end(), less);
 }
 
-std::vector<std::uint8_t> InsideTets::find(const TetMesh& mesh, std::span<const Spot> spots, const Context& context) {
+std::vector<std::uint8_t> InsideTets::find(const TetMesh& mesh, const Context& context) {
     std::vector<std::uint8_t> is_inside(mesh.tets.size());
     parallel_for(context, mesh.tets.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            const Vec3 centre = centre_of(mesh, mesh.tets[t]);
             const Corners corners = ascending(mesh.tets[t]);
-            if (corners[3] >= mesh.shell_vertex_count) {
-                // The interior node with the most room around it tells most often.
-                const Spot* roomiest = nullptr;
-                for (const Index node : corners) {
-                    if (node < mesh.shell_vertex_count) continue;
-                    const Spot& spot = spots[node - mesh.shell_vertex_count];
-                    if (!roomiest || spot.clear > roomiest->clear) roomiest = &spot;
-                }
-                is_inside[t] = space_.material_at(centre, *roomiest) != none;
-            } else if (const Known* known = look_up(corners)) {
-                is_inside[t] = known->is_inside;
-            } else {
-                is_inside[t] = space_.material_at(centre) != none;
-            }
+            const Known* known = corners[3] < mesh.shell_vertex_count ? look_up(corners) : nullptr;
+            is_inside[t] = known ? known->is_inside : interior_.material_at(centre_of(mesh, mesh.tets[t])) != none;
         }
     });
     remember(mesh, is_inside);

@@ -5,24 +5,21 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "core/context.h"
 #include "core/index.h"
+#include "mesh/shell_interior.h"
 #include "mesh/tet_mesh.h"
-#include "relax/material_space.h"
 
 namespace crumple::relax {
 
 class InsideTets {
 public:
-    explicit InsideTets(const MaterialSpace& space) : space_(space) {}
+    explicit InsideTets(const ShellInterior& interior) : interior_(interior) {}
 
-    // T: 1 where the tet's centre lies in material. spots: of the interior nodes, in their order.
-    [[nodiscard]] std::vector<std::uint8_t> find(const TetMesh& mesh, std::span<const Spot> spots,
-                                                 const Context& context);
+    // T: 1 where the tet's centre lies in material.
+    [[nodiscard]] std::vector<std::uint8_t> find(const TetMesh& mesh, const Context& context);
 
 private:
     using Corners = std::array<Index, 4>;  // ascending
@@ -33,7 +30,7 @@ private:
     [[nodiscard]] const Known* look_up(const Corners& corners) const;
     void remember(const TetMesh& mesh, const std::vector<std::uint8_t>& is_inside);
 
-    const MaterialSpace& space_;
+    const ShellInterior& interior_;
     std::vector<Known> known_;  // ascending
 };
 

@@ -16,20 +16,28 @@ namespace {
 constexpr std::array<double, 4> steps = {1, 0.5, 0.25, 0.125};
 
 struct Move {
-    Spot to;
+    Vec3 to;
     bool is_held = false;
 };
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+// On a surface the winding number of its component lies halfway between two whole numbers.
+bool is_on_shell(const ShellInterior& interior, Vec3 p) {
+    const std::span<const Index> components = interior.by_volume();
+    return std::any_of(components.begin(), components.end(), [&](Index component) {
+        const double winding = interior.winding(component, p);
+        return std::fabs(winding - std::floor(winding) - 0.5) < 1e-9;
+    });
+}
+
 // The longest step that ends in the node's own material, off the shell.
-Move move_towards(Vec3 target, const Spot& from, const MaterialSpace& space) {
+Move move_towards(Vec3 target, Vec3 from, Index material, const ShellInterior& interior) {
     if (!is_finite(target)) return {from, true};
     for (const double step : steps) {
-        const Vec3 place = round_to_float(from.position + (target - from.position) * step);
-        if (place == from.position) return {from, step < 1};
-        const Spot to = space.look_at(place, from);
-        if (to.material == from.material && to.clear > 0) return {to, step < 1};
+        const Vec3 place = round_to_float(from + (target - from) * step);
+        if (place == from) return {from, step < 1};
+        if (interior.material_at(place) == material && !is_on_shell(interior, place)) return {place, step < 1};
     }
     return {from, true};
 }
@@ -43,10 +51,10 @@ double mean_edge(const Star& star) {
     return sum / (3 * static_cast<double>(star.tets.size()));
 }
 
-// Which nodes of the mesh would share a place, were the interior ones at these spots.
-std::vector<Index> colliding_nodes(const TetMesh& mesh, const std::vector<Spot>& spots) {
+// Which nodes of the mesh would share a place, were the interior ones at these.
+std::vector<Index> colliding_nodes(const TetMesh& mesh, const std::vector<Vec3>& places) {
     const auto place_of = [&](Index node) {
-        return node < mesh.shell_vertex_count ? mesh.positions[node] : spots[node - mesh.shell_vertex_count].position;
+        return node < mesh.shell_vertex_count ? mesh.positions[node] : places[node - mesh.shell_vertex_count];
     };
     std::vector<Index> order(mesh.positions.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -66,14 +74,14 @@ std::vector<Index> colliding_nodes(const TetMesh& mesh, const std::vector<Spot>&
 
 // All nodes that would meet stay where they are. That may be where another was about to go, so it takes rounds; each
 // sends nodes back for good, so they end.
-void undo_collisions(const TetMesh& mesh, const std::vector<Spot>& from, Moves& moves) {
+void undo_collisions(const TetMesh& mesh, Moves& moves) {
     for (bool is_settled = false; !is_settled;) {
         is_settled = true;
-        for (const Index node : colliding_nodes(mesh, moves.spots)) {
+        for (const Index node : colliding_nodes(mesh, moves.places)) {
             if (node < mesh.shell_vertex_count) continue;
-            const Index interior = node - mesh.shell_vertex_count;
-            if (moves.spots[interior].position == from[interior].position) continue;
-            moves.spots[interior] = from[interior];
+            Vec3& place = moves.places[node - mesh.shell_vertex_count];
+            if (place == mesh.positions[node]) continue;
+            place = mesh.positions[node];
             ++moves.held;
             is_settled = false;
         }
@@ -82,25 +90,26 @@ void undo_collisions(const TetMesh& mesh, const std::vector<Spot>& from, Moves& 
 
 }
 
-Moves choose_moves(const TetMesh& mesh, const Stars& stars, const std::vector<Spot>& spots, TargetFunction target,
-                   const MaterialSpace& space, const Context& context) {
-    Moves moves{spots, 0, 0};
-    std::vector<std::uint8_t> held(spots.size());
-    std::vector<double> mean_edges(spots.size(), 1);
-    parallel_for(context, spots.size(), 64, [&](std::size_t begin, std::size_t end) {
+Moves choose_moves(const TetMesh& mesh, const Stars& stars, std::span<const Index> materials, TargetFunction target,
+                   const ShellInterior& interior, const Context& context) {
+    const Index first = mesh.shell_vertex_count;
+    Moves moves{{mesh.positions.begin() + first, mesh.positions.end()}, 0, 0};
+    std::vector<std::uint8_t> held(moves.places.size());
+    std::vector<double> mean_edges(moves.places.size(), 1);
+    parallel_for(context, moves.places.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) {
-            const Star star{mesh, mesh.shell_vertex_count + static_cast<Index>(n), stars.of(n), stars.is_whole[n] != 0};
-            if (star.tets.empty() || spots[n].material == none) continue;
+            const Star star{mesh, first + static_cast<Index>(n), stars.of(n), stars.is_whole[n] != 0};
+            if (star.tets.empty() || materials[n] == none) continue;
             mean_edges[n] = mean_edge(star);
-            const Move move = move_towards(target(star), spots[n], space);
-            moves.spots[n] = move.to;
+            const Move move = move_towards(target(star), mesh.positions[star.node], materials[n], interior);
+            moves.places[n] = move.to;
             held[n] = move.is_held;
         }
     });
     moves.held = static_cast<std::uint32_t>(std::count(held.begin(), held.end(), std::uint8_t{1}));
-    undo_collisions(mesh, spots, moves);
-    for (std::size_t n = 0; n < spots.size(); ++n) {
-        moves.max_move = std::max(moves.max_move, length(moves.spots[n].position - spots[n].position) / mean_edges[n]);
+    undo_collisions(mesh, moves);
+    for (std::size_t n = 0; n < moves.places.size(); ++n) {
+        moves.max_move = std::max(moves.max_move, length(moves.places[n] - mesh.positions[first + n]) / mean_edges[n]);
     }
     return moves;
 }

@@ -6,8 +6,8 @@
 
 #include "core/parallel_for.h"
 #include "delaunay/delaunay.h"
+#include "mesh/shell_interior.h"
 #include "relax/inside_tets.h"
-#include "relax/material_space.h"
 #include "relax/method.h"
 #include "relax/move_nodes.h"
 #include "relax/stars.h"
@@ -38,17 +38,17 @@ TargetFunction target_function(Method method) {
     throw Error(ErrorKind::internal, "internal: an unknown relax method");
 }
 
-std::vector<Spot> spots_of(const TetMesh& mesh, const MaterialSpace& space, const Context& context) {
-    std::vector<Spot> spots(mesh.positions.size() - mesh.shell_vertex_count);
-    parallel_for(context, spots.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t n = begin; n < end; ++n) spots[n] = space.look_at(mesh.positions[mesh.shell_vertex_count + n]);
-    });
-    return spots;
+std::vector<Index> materials_of(const TetMesh& mesh, const ShellInterior& interior) {
+    std::vector<Index> materials;
+    for (std::size_t v = mesh.shell_vertex_count; v < mesh.positions.size(); ++v) {
+        materials.push_back(interior.material_at(mesh.positions[v]));
+    }
+    return materials;
 }
 
-Iterate judge(TetMesh mesh, InsideTets& inside_tets, const std::vector<Spot>& spots, const Context& context) {
+Iterate judge(TetMesh mesh, InsideTets& inside_tets, const Context& context) {
     Iterate iterate;
-    iterate.is_inside = inside_tets.find(mesh, spots, context);
+    iterate.is_inside = inside_tets.find(mesh, context);
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
         if (iterate.is_inside[t]) iterate.inside.push_back(mesh.tets[t]);
     }
@@ -57,9 +57,9 @@ Iterate judge(TetMesh mesh, InsideTets& inside_tets, const std::vector<Spot>& sp
     return iterate;
 }
 
-TetMesh triangulate(const TetMesh& old, const std::vector<Spot>& spots, const Context& context) {
+TetMesh triangulate(const TetMesh& old, const std::vector<Vec3>& places, const Context& context) {
     PointSet points{old.positions, old.shell_vertex_count};
-    for (std::size_t n = 0; n < spots.size(); ++n) points.positions[old.shell_vertex_count + n] = spots[n].position;
+    std::copy(places.begin(), places.end(), points.positions.begin() + old.shell_vertex_count);
     return delaunay::tetrahedralize(points, {}, context).mesh;
 }
 
@@ -73,17 +73,17 @@ SweepReport report_of(std::int32_t sweep, const Moves& moves, const quality::Sco
             quality::degrees_of(score.median_dihedral)};
 }
 
-void report_outside_nodes(Report& report, const TetMesh& mesh, const std::vector<Spot>& spots) {
+void report_outside_nodes(Report& report, const TetMesh& mesh, const std::vector<Index>& materials) {
     Finding finding{"RELAX_NODE_OUTSIDE",
                     Severity::warning,
                     "interior nodes lie in no material; they stay where they are and culling will drop them",
                     0,
                     {}};
-    for (std::size_t n = 0; n < spots.size(); ++n) {
-        if (spots[n].material != none) continue;
+    for (std::size_t n = 0; n < materials.size(); ++n) {
+        if (materials[n] != none) continue;
         ++finding.count;
         const Index node = mesh.shell_vertex_count + static_cast<Index>(n);
-        if (finding.places.size() < max_places) finding.places.push_back({spots[n].position, node, {}});
+        if (finding.places.size() < max_places) finding.places.push_back({mesh.positions[node], node, {}});
     }
     if (finding.count > 0) report.findings.push_back(finding);
 }
@@ -114,26 +114,25 @@ void finish_report(Report& report, const Iterate& best, const Context& context) 
 Result relax_points(TetMesh mesh, const Shell& shell, const Params& params, const Context& context) {
     check_input(mesh, shell);
     const TargetFunction target = target_function(params.method);
-    const MaterialSpace space(shell);
-    InsideTets inside_tets(space);
-    std::vector<Spot> spots = spots_of(mesh, space, context);
-    Iterate now = judge(std::move(mesh), inside_tets, spots, context);
+    const ShellInterior interior(shell);
+    InsideTets inside_tets(interior);
+    const std::vector<Index> materials = materials_of(mesh, interior);  // for good: no node leaves its own
+    Iterate now = judge(std::move(mesh), inside_tets, context);
 
     Report report;
-    report.interior_nodes = static_cast<std::uint32_t>(spots.size());
+    report.interior_nodes = static_cast<std::uint32_t>(materials.size());
     report.before = quality::summarize(now.mesh.positions, now.inside, context);
     report.history.push_back(report_of(0, {}, now.score));
-    report_outside_nodes(report, now.mesh, spots);
+    report_outside_nodes(report, now.mesh, materials);
     Iterate best = now;
     while (report.sweeps_run < params.sweeps && !report.converged) {
         context.stop_if_cancelled();
         context.tell_progress("relax", static_cast<double>(report.sweeps_run) / params.sweeps);
         const Stars stars = find_stars(now.mesh, now.is_inside);
-        Moves moves = choose_moves(now.mesh, stars, spots, target, space, context);
+        const Moves moves = choose_moves(now.mesh, stars, materials, target, interior, context);
         report.converged = moves.max_move <= params.tolerance;
         if (moves.max_move == 0) break;
-        spots = std::move(moves.spots);
-        now = judge(triangulate(now.mesh, spots, context), inside_tets, spots, context);
+        now = judge(triangulate(now.mesh, moves.places, context), inside_tets, context);
         report.history.push_back(report_of(++report.sweeps_run, moves, now.score));
         if (quality::is_better(now.score, best.score)) {
             best = now;

@@ -53,22 +53,18 @@ private:
     std::vector<double> up_to_;  // sums of volume * density over the cells so far
 };
 
-// Far enough from the shell, and fillable. Most places are settled by what is known of the cell's centre, `away` from
+// Far enough from the shell, and fillable. Many places are settled by what is known of the cell's centre, `away` from
 // p: the distance to the shell changes no faster than the place, h no faster than 0.3 of that.
 bool Source::is_allowed(const Cell& cell, Vec3 p, double away) const {
-    if (cell.distance + away < clearance_ * cell.least_size(away)) return false;
-    if (cell.filling == Filling::other && drawing_.space.is_watertight() &&
-        away - cell.distance < clearance_ * cell.least_size(away)) {
+    const double least_gap = clearance_ * cell.least_size(away);
+    if (cell.distance + away < least_gap) return false;
+    const bool is_watertight = drawing_.space.is_watertight();
+    if (is_watertight && !cell.is_fillable && away - cell.distance < least_gap) return false;
+    const bool is_surely_far = cell.distance - away >= clearance_ * cell.largest_size(away);
+    if (is_surely_far && is_watertight) return cell.is_fillable;
+    if (!is_surely_far && distance_at(drawing_.space, cell, p) < clearance_ * size_at(drawing_.space, cell, p))
         return false;
-    }
-    double distance = cell.distance - away;
-    if (distance < clearance_ * cell.largest_size(away)) {
-        const double wanted = clearance_ * size_at(drawing_.space, cell, p);
-        distance = distance_at(drawing_.space, cell, p);
-        if (distance < wanted) return false;
-    }
-    const Filling filling = filling_near(drawing_.space, cell, away, distance);
-    return filling == Filling::unknown ? drawing_.space.is_fillable(p) : filling == Filling::fillable;
+    return drawing_.space.is_fillable(p);
 }
 
 double Source::vertex_gap(const Cell& cell, const Candidate& candidate, double away) const {

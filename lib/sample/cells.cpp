@@ -49,10 +49,6 @@ private:
     static void keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2);
     [[nodiscard]] Fate judge(Cell& cell, bool may_split) const;
     [[nodiscard]] double estimate_share(const Cell& cell) const;
-    void ask_filling(Cell& cell) const {
-        if (cell.filling != Filling::unknown) return;
-        cell.filling = space_.is_fillable(cell.centre) ? Filling::fillable : Filling::other;
-    }
 
     const Space& space_;
     double least_clearance_;
@@ -75,7 +71,6 @@ Cell Refinement::root() const {
     Values sizes;
     Values distances_2;
     measure(cell, everything, sizes, distances_2);
-    ask_filling(cell);
     cell.vertices = everything.vertices;
     cell.triangles = everything.triangles;
     return cell;
@@ -97,7 +92,7 @@ void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& 
     // Beyond this a triangle is not the nearest one and does not stay in the list either.
     double farthest = (std::sqrt(nearest_2) + 2 * cell.reach) * slack;
     for (const Index t : parent.triangles) {
-        const bool is_far = space_.face(t).is_surely_farther(cell.centre, farthest);
+        const bool is_far = space_.ball(t).is_surely_farther(cell.centre, farthest);
         distances_2.push_back(is_far ? infinity : space_.face(t).distance_2(cell.centre));
         if (distances_2.back() >= nearest_2) continue;
         nearest_2 = distances_2.back();
@@ -124,7 +119,7 @@ void Refinement::keep_lists(Cell& cell, const Cell& parent, const Values& sizes,
 // Linear across the band in which a cell passes from too near to far enough.
 double Refinement::estimate_share(const Cell& cell) const {
     if (cell.is_clear) return 1;
-    if (cell.filling == Filling::other) return 0;
+    if (!cell.is_fillable) return 0;
     const double beyond = cell.distance - counted_clearance * cell.size;
     return std::clamp(beyond / (2 * cell.half) + 0.5, 0.0, 1.0);
 }
@@ -132,19 +127,14 @@ double Refinement::estimate_share(const Cell& cell) const {
 Fate Refinement::judge(Cell& cell, bool may_split) const {
     const double least_gap = least_clearance_ * cell.least_size(cell.reach);
     if (cell.distance + cell.reach < least_gap) return Fate::dropped;
-    // Seen from a centre of other filling, a place of the wanted one lies behind the shell. Asking is dear: only where
-    // it tells.
-    if (space_.is_watertight() && cell.reach - cell.distance < least_gap) {
-        ask_filling(cell);
-        if (cell.filling == Filling::other) return Fate::dropped;
-    }
-    const bool is_fillable = space_.is_watertight() && cell.filling == Filling::fillable;
+    cell.is_fillable = space_.is_fillable(cell.centre);
+    // Seen from a centre that is not, fillable places lie behind the shell.
+    if (space_.is_watertight() && !cell.is_fillable && cell.reach - cell.distance < least_gap) return Fate::dropped;
     const bool is_far = cell.distance - cell.reach > largest_clearance_ * cell.largest_size(cell.reach);
-    const bool is_fine =
-        is_fillable && is_far ? cell.reach <= far_reach * cell.size : 2 * cell.half <= near_edge * cell.size;
+    const bool is_clear = is_far && cell.is_fillable && space_.is_watertight();
+    const bool is_fine = is_clear ? cell.reach <= far_reach * cell.size : 2 * cell.half <= near_edge * cell.size;
     if (!is_fine && may_split) return Fate::split;
-    ask_filling(cell);
-    cell.is_clear = is_fillable && is_far;
+    cell.is_clear = is_clear;
     cell.share = estimate_share(cell);
     return Fate::kept;
 }
@@ -159,11 +149,6 @@ Family Refinement::children_of(const Cell& parent, bool may_split) const {
         const auto side = [&](int bit) { return octant & bit ? half : -half; };
         place(cell, parent.centre + Vec3{side(1), side(2), side(4)}, half);
         measure(cell, parent, sizes, distances_2);
-        cell.filling = filling_near(space_, parent, length(cell.centre - parent.centre) * slack, cell.distance);
-        for (int elder = 0; elder < octant && cell.filling == Filling::unknown; ++elder) {
-            const Cell& other = family.cells[elder];
-            cell.filling = filling_near(space_, other, length(cell.centre - other.centre) * slack, cell.distance);
-        }
         family.fates[octant] = judge(cell, may_split);
         if (family.fates[octant] != Fate::dropped) keep_lists(cell, parent, sizes, distances_2);
     }

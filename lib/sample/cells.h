@@ -12,22 +12,19 @@
 
 namespace crumple::sample {
 
-// What is known of the material at a place.
-enum class Filling { unknown, fillable, other };
-
 struct Cell {
     Vec3 centre;
-    double half = 0;                     // half of the cube's edge
-    double reach = 0;                    // no place of the cube, rounded to float, is farther from the centre
-    double size = 0;                     // h at the centre
-    double distance = 0;                 // from the centre to the shell
-    Index nearest = none;                // triangle to the centre
-    Index sized_by = none;               // the vertex whose term gives h at the centre
-    Filling filling = Filling::unknown;  // at the centre
-    bool is_clear = false;               // every place of it is fillable and far enough from the shell
-    double share = 0;                    // about how much of its volume is fillable and 0.35 h away from the shell
-    std::vector<Index> vertices;         // that may give h somewhere in the cell
-    std::vector<Index> triangles;        // that may be nearest to some place of it; none kept for a clear cell
+    double half = 0;               // half of the cube's edge
+    double reach = 0;              // no place of the cube, rounded to float, is farther from the centre
+    double size = 0;               // h at the centre
+    double distance = 0;           // from the centre to the shell
+    Index nearest = none;          // triangle to the centre
+    Index sized_by = none;         // the vertex whose term gives h at the centre
+    bool is_fillable = false;      // at the centre
+    bool is_clear = false;         // every place of it is fillable and far enough from the shell
+    double share = 0;              // about how much of its volume is fillable and 0.35 h away from the shell
+    std::vector<Index> vertices;   // that may give h somewhere in the cell
+    std::vector<Index> triangles;  // that may be nearest to some place of it; none kept for a clear cell
 
     [[nodiscard]] double volume() const { return 8 * half * half * half; }
     // Bounds of h so far from the centre.
@@ -44,11 +41,5 @@ inline constexpr double counted_clearance = 0.35;
 // h, and the distance to the shell, at a place within the cell's reach.
 [[nodiscard]] double size_at(const Space& space, const Cell& cell, Vec3 p);
 [[nodiscard]] double distance_at(const Space& space, const Cell& cell, Vec3 p);
-
-// What fills a place that far from the centre and that far from the shell. Where the two balls that hold nothing of the
-// shell meet, it is what fills the centre; that saves asking the winding number.
-[[nodiscard]] inline Filling filling_near(const Space& space, const Cell& cell, double away, double distance) {
-    return space.is_watertight() && away < cell.distance + distance ? cell.filling : Filling::unknown;
-}
 
 }

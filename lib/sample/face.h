@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A triangle prepared for being asked many times how far it is. Only measures; about three times as fast as
-// closest_point_on_triangle.
+// closest_point_on_triangle, and a ball around it rules out most triangles before that.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -9,18 +9,26 @@
 
 namespace crumple::sample {
 
-struct Face {
-    Face(Vec3 a, Vec3 b, Vec3 c);
+// Holds a triangle. Kept apart from the rest, so that many fit into the cache.
+struct FaceBall {
+    FaceBall(Vec3 a, Vec3 b, Vec3 c);
 
-    // Squared metres.
-    [[nodiscard]] double distance_2(Vec3 p) const;
-
-    // Cheap, and never true of a triangle nearer than `distance`.
+    // Never true when the triangle is nearer than `distance`.
     [[nodiscard]] bool is_surely_farther(Vec3 p, double distance) const {
         const Vec3 to = centre - p;
         const double least = distance + radius;
         return dot(to, to) > least * least;
     }
+
+    Vec3 centre;
+    double radius = 0;
+};
+
+struct Face {
+    Face(Vec3 a, Vec3 b, Vec3 c);
+
+    // Squared metres.
+    [[nodiscard]] double distance_2(Vec3 p) const;
 
     struct Side {
         Vec3 start;
@@ -29,8 +37,6 @@ struct Face {
         [[nodiscard]] double distance_2(Vec3 p) const;
     };
 
-    Vec3 centre;
-    double radius = 0;  // of a ball around the centre that holds the triangle
     // With u = to_b.(p - a) and v = to_c.(p - a), the foot of p on the plane is a + u (b - a) + v (c - a).
     Vec3 to_b;
     Vec3 to_c;

@@ -84,6 +84,7 @@ Space::Space(const Shell& shell, std::vector<double> factor)
     faces_.reserve(shell.triangles.size());
     for (const auto& [a, b, c] : shell.triangles) {
         faces_.emplace_back(shell.positions[a], shell.positions[b], shell.positions[c]);
+        balls_.emplace_back(shell.positions[a], shell.positions[b], shell.positions[c]);
     }
     for (std::size_t v = 0; v < sizes_.size(); ++v) {
         sizes_[v] *= factor_of(static_cast<Index>(v));

@@ -45,6 +45,7 @@ public:
     }
     [[nodiscard]] double factor_of(Index v) const { return factors_.empty() ? 1 : factors_[v]; }
     [[nodiscard]] const Face& face(Index triangle) const { return faces_[triangle]; }
+    [[nodiscard]] const FaceBall& ball(Index triangle) const { return balls_[triangle]; }
     // Metres, or `at_most` when no vertex is nearer.
     [[nodiscard]] double distance_to_vertex(Vec3 p, double at_most) const;
 
@@ -60,7 +61,8 @@ private:
     std::vector<double> factors_;         // V or empty
     std::vector<Index> sized_vertices_;
     std::vector<Index> triangles_;
-    std::vector<Face> faces_;  // F
+    std::vector<Face> faces_;      // F
+    std::vector<FaceBall> balls_;  // F
 };
 
 }

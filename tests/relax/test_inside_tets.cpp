@@ -11,15 +11,8 @@ using namespace crumple::relax;
 
 namespace {
 
-std::vector<Spot> spots_of(const TetMesh& mesh, const MaterialSpace& space) {
-    std::vector<Spot> spots;
-    for (const Vec3 p : shapes::interior_of(mesh)) spots.push_back(space.look_at(p));
-    return spots;
-}
-
-void expect_true_answers(InsideTets& inside, const TetMesh& mesh, const Shell& shell, const MaterialSpace& space) {
-    const ShellInterior truth(shell);
-    const std::vector<std::uint8_t> found = inside.find(mesh, spots_of(mesh, space), {});
+void expect_true_answers(InsideTets& inside, const TetMesh& mesh, const ShellInterior& truth) {
+    const std::vector<std::uint8_t> found = inside.find(mesh, {});
     ASSERT_EQ(found.size(), mesh.tets.size());
     for (std::size_t t = 0; t < found.size(); ++t) {
         Vec3 sum;
@@ -29,30 +22,30 @@ void expect_true_answers(InsideTets& inside, const TetMesh& mesh, const Shell& s
 }
 
 TEST(InsideTets, AnEmptyMeshHasNone) {
-    const MaterialSpace space(shapes::box());
-    InsideTets inside(space);
-    EXPECT_TRUE(inside.find({}, {}, {}).empty());
+    const ShellInterior interior(shapes::box());
+    InsideTets inside(interior);
+    EXPECT_TRUE(inside.find({}, {}).empty());
 }
 
 TEST(InsideTets, CentresDecideThoughNodesAreInside) {
     // The hole of a torus is bridged by tets of which some have interior nodes.
     const Shell shell = shapes::torus();
-    const MaterialSpace space(shell);
-    InsideTets inside(space);
-    expect_true_answers(inside, shapes::filled(shell, "200"), shell, space);
+    const ShellInterior interior(shell);
+    InsideTets inside(interior);
+    expect_true_answers(inside, shapes::filled(shell, "200"), interior);
 }
 
 TEST(InsideTets, WhatIsRememberedStaysTrueForOtherInteriorNodes) {
     const Shell shell = shapes::nested_boxes();
-    const MaterialSpace space(shell);
-    InsideTets inside(space);
+    const ShellInterior interior(shell);
+    InsideTets inside(interior);
     const TetMesh one = shapes::filled(shapes::nested_boxes(), "20");
-    expect_true_answers(inside, one, shell, space);
+    expect_true_answers(inside, one, interior);
     PointSet points{shell.positions, static_cast<Index>(shell.positions.size())};
     for (const Vec3 p : {Vec3{0.5, 0.5, 0.5}, Vec3{2.5, 2.5, 0.25}, Vec3{0.25, 2.75, 1.5}})
         points.positions.push_back(p);
-    expect_true_answers(inside, delaunay::tetrahedralize(points).mesh, shell, space);
-    expect_true_answers(inside, one, shell, space);
+    expect_true_answers(inside, delaunay::tetrahedralize(points).mesh, interior);
+    expect_true_answers(inside, one, interior);
 }
 
 }

@@ -39,7 +39,7 @@ TEST(Face, DistanceAgreesWithTheClosestPoint) {
     }
 }
 
-TEST(Face, WhatIsSurelyFartherIsFarther) {
+TEST(FaceBall, WhatIsSurelyFartherIsFarther) {
     Rng rng(32);
     int surely = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -48,18 +48,18 @@ TEST(Face, WhatIsSurelyFartherIsFarther) {
         const Vec3 c = random_point(rng);
         const Vec3 p = random_point(rng);
         const double distance = rng.next_unit();
-        if (!Face(a, b, c).is_surely_farther(p, distance)) continue;
+        if (!FaceBall(a, b, c).is_surely_farther(p, distance)) continue;
         ++surely;
         EXPECT_GT(expected_distance(a, b, c, p), distance);
     }
     EXPECT_GT(surely, 100);
 }
 
-TEST(Face, FarFromTheOriginNothingIsWronglyFarther) {
+TEST(FaceBall, FarFromTheOriginNothingIsWronglyFarther) {
     const Vec3 offset{1e6, -1e6, 1e6};
-    const Face face(offset, offset + Vec3{0.0625, 0, 0}, offset + Vec3{0, 0.0625, 0});
-    EXPECT_FALSE(face.is_surely_farther(offset, 0));
-    EXPECT_TRUE(face.is_surely_farther(offset + Vec3{1, 0, 0}, 0.5));
+    const FaceBall ball(offset, offset + Vec3{0.0625, 0, 0}, offset + Vec3{0, 0.0625, 0});
+    EXPECT_FALSE(ball.is_surely_farther(offset, 0));
+    EXPECT_TRUE(ball.is_surely_farther(offset + Vec3{1, 0, 0}, 0.5));
 }
 
 }
