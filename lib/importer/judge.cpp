@@ -34,10 +34,42 @@ bool is_flat(const std::vector<Vec3>& p) {
 
 std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share))) + " %"; }
 
+// Where each of the first components is.
+std::vector<Place> places_of_components(const Shell& shell) {
+    std::vector<Place> places;
+    std::vector<bool> seen(shell.components.size(), false);
+    for (std::size_t t = 0; t < shell.triangles.size() && places.size() < max_places; ++t) {
+        const Index c = shell.component[t];
+        if (seen[c]) continue;
+        seen[c] = true;
+        places.push_back({shell.positions[shell.triangles[t][0]], shell.triangles[t][0], shell.components[c].name});
+    }
+    return places;
+}
+
+Finding nothing_painted(const Shell& shell, const PaintedVertices& painted, const Params& params) {
+    const std::string set = std::to_string(params.color_set);
+    const bool has_colors =
+        std::any_of(painted.paint.begin(), painted.paint.end(), [](Paint p) { return p != Paint::none; });
+    const std::string why = painted.set_count == 0 ? "the file has no vertex colours"
+                            : !has_colors          ? "the file has no colour set " + set
+                                                   : "no vertex has red 0 in colour set " + set;
+    return {"LOCK_NOTHING_PAINTED", Severity::warning, why + ": nothing is locked", shell.positions.size(),
+            places_of_components(shell)};
+}
+
+Finding nearly_all_painted(const Shell& shell, std::uint64_t locked, double share) {
+    return {"LOCK_NEARLY_ALL", Severity::warning,
+            percent(share) +
+                " of the vertices are locked; black is a common default fill, paint white where the shell "
+                "may deform",
+            locked, places_of_components(shell)};
+}
+
 void finish(Finding& finding, const std::string& message, std::vector<Finding>& findings) {
     if (finding.count == 0) return;
     finding.message = std::to_string(finding.count) + message;
-    findings.push_back(std::move(finding));
+    findings.push_back(finding);
 }
 
 }
@@ -109,33 +141,17 @@ std::vector<Finding> judge_locks(const Shell& shell, const PaintedVertices& pain
                                  const Params& params) {
     std::vector<Finding> findings = painted.findings;
     const auto locked = static_cast<std::uint64_t>(std::count(shell.locked.begin(), shell.locked.end(), 1));
-    const bool has_colors =
-        std::any_of(painted.paint.begin(), painted.paint.end(), [](Paint p) { return p != Paint::none; });
-    if (locked == 0) {
-        const std::string set = std::to_string(params.color_set);
-        const std::string why = painted.set_count == 0 ? "the file has no vertex colours"
-                                : !has_colors          ? "the file has no colour set " + set
-                                                       : "no vertex has red 0 in colour set " + set;
-        findings.push_back({"LOCK_NOTHING_PAINTED", Severity::warning, why + ": nothing is locked", 1, {}});
-    }
-    const double share =
-        static_cast<double>(locked) / static_cast<double>(std::max<std::size_t>(1, shell.locked.size()));
-    if (share > nearly_all) {
-        findings.push_back({"LOCK_NEARLY_ALL",
-                            Severity::warning,
-                            percent(share) + " of the vertices are locked; black is a common default fill, paint white "
-                                             "where the shell may deform",
-                            locked,
-                            {}});
-    }
+    const double share = static_cast<double>(locked) / static_cast<double>(shell.locked.size());
+    if (locked == 0) findings.push_back(nothing_painted(shell, painted, params));
+    if (share > nearly_all) findings.push_back(nearly_all_painted(shell, locked, share));
     finish(conflicts,
            " locked vertices have a copy painted free (a seam between materials, say); they are locked; paint all "
            "copies alike",
            findings);
-    if (params.strict && !findings.empty() && findings.back().code == "LOCK_CONFLICT") {
-        const Place& place = findings.back().places.front();
+    if (params.strict && conflicts.count > 0) {
         throw Error(ErrorKind::bad_input, "LOCK_CONFLICT: " + findings.back().message + " (first: source vertex " +
-                                              std::to_string(place.element) + "); import.strict makes this an error");
+                                              std::to_string(findings.back().places.front().element) +
+                                              "); import.strict makes this an error");
     }
     return findings;
 }

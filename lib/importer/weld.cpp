@@ -174,31 +174,33 @@ void merge_by_tolerance(const Surface& surface, double tolerance, std::vector<In
 // What the copies of each vertex say, first copies first.
 void gather(const Surface& surface, const PaintedVertices& painted, const std::vector<Index>& order,
             const std::vector<Index>& copy_of, Index count, Welded& welded) {
-    std::vector<bool> seen(count, false);
+    std::vector<Index> first_copy(count, none);
     std::vector<bool> has_free(count, false);
-    std::vector<Paint> paint(count, Paint::none);
+    std::vector<bool> has_color(count, false);
     welded.positions.resize(count);
     welded.source_vertex.resize(count);
     welded.locked.assign(count, 0);
     if (!surface.colors.empty()) welded.colors.resize(count, {1, 1, 1, 1});
     for (const Index v : order) {
         const Index w = copy_of[v];
-        const Paint copy = painted.paint[v];
-        if (!seen[w]) welded.source_vertex[w] = surface.source_vertex[v];
-        if (!seen[w] || (copy == Paint::locked && !welded.locked[w])) welded.positions[w] = surface.positions[v];
-        if (copy != Paint::none && paint[w] == Paint::none) {
-            paint[w] = copy;
-            if (!surface.colors.empty()) welded.colors[w] = surface.colors[v];
+        const Paint paint = painted.paint[v];
+        const bool is_first_locked = paint == Paint::locked && !welded.locked[w];
+        if (first_copy[w] == none || is_first_locked) welded.positions[w] = surface.positions[v];
+        if (first_copy[w] == none) {
+            first_copy[w] = v;
+            welded.source_vertex[w] = surface.source_vertex[v];
         }
-        if (copy == Paint::locked) welded.locked[w] = 1;
-        if (copy == Paint::free) has_free[w] = true;
-        seen[w] = true;
+        if (paint != Paint::none && !has_color[w] && !surface.colors.empty()) {
+            has_color[w] = true;
+            welded.colors[w] = surface.colors[v];
+        }
+        if (paint == Paint::locked) welded.locked[w] = 1;
+        if (paint == Paint::free) has_free[w] = true;
     }
     for (Index w = 0; w < count; ++w) {
-        if (!welded.locked[w] || !has_free[w]) continue;
-        if (welded.conflicts.count++ < max_places) {
-            welded.conflicts.places.push_back({welded.positions[w], welded.source_vertex[w], ""});
-        }
+        if (!welded.locked[w] || !has_free[w] || welded.conflicts.count++ >= max_places) continue;
+        const std::string& name = surface.objects[surface.parts[surface.vertex_part[first_copy[w]]].object].name;
+        welded.conflicts.places.push_back({welded.positions[w], welded.source_vertex[w], name});
     }
 }
 
