@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every benchmark program shares: `bench_NAME [--quick] --json FILE` measures, prints a table and writes
-// {machine, date, rows: [{name, input, ...figures}]}. A figure without a value (a missing peer) is null.
+// What every benchmark program shares, around Google Benchmark: `bench_NAME [--quick] [--json FILE]
+// [--benchmark_filter=..]` measures, prints a table and writes {machine, date, rows: [{name, input, ...figures}]}. A
+// figure without a value (a missing peer) is null.
 #pragma once
+#include <benchmark/benchmark.h>
+
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -47,7 +51,17 @@ Paired paired(int rounds, Ours&& ours, Peer&& peer) {
     return {median(our_times), median(peer_times), median(ratios)};
 }
 
-// The body of main: reads the command line, calls `measure(quick)`, prints and writes. Returns the exit code.
-int run(int argc, char** argv, std::vector<Row> (*measure)(bool quick));
+// Registers a benchmark on manual time. `measure` loops over the state (each pass one run of ours, and of the peer
+// where there is one), gives it the seconds of ours, and returns the rows of what it saw; of its calls the last one's
+// count.
+using Measure = std::function<std::vector<Row>(benchmark::State& state)>;
+benchmark::internal::Benchmark* add(const std::string& name, Measure measure);
+
+// The same for work that repeats and takes medians by itself.
+void add_once(const std::string& name, std::function<std::vector<Row>()> measure);
+
+// The body of main: reads the command line, lets `add_all(quick)` register, runs, prints and writes. Returns the exit
+// code.
+int run(int argc, char** argv, void (*add_all)(bool quick));
 
 }

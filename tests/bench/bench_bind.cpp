@@ -48,13 +48,15 @@ VisualMesh around_cube(std::size_t count, bool is_shuffled, double inside_share)
     return visual;
 }
 
-bench::Row measure_bind(const std::string& input, const Scene& scene, const VisualMesh& visual, int rounds) {
+bench::Row measure_bind(benchmark::State& state, const std::string& input, const Scene& scene,
+                        const VisualMesh& visual) {
     std::vector<double> times;
     bind::Report report;
-    for (int round = 0; round < rounds; ++round) {
+    while (state.KeepRunning()) {
         const double begin = bench::cpu_seconds();
         report = bind::bind_visuals(scene.shell, scene.mesh, std::span(&visual, 1)).report;
         times.push_back(bench::cpu_seconds() - begin);
+        state.SetIterationTime(times.back());
     }
     const double seconds = bench::median(times);
     const auto vertices = static_cast<double>(visual.positions.size());
@@ -67,21 +69,35 @@ bench::Row measure_bind(const std::string& input, const Scene& scene, const Visu
              {"ns_per_vertex", seconds / vertices * 1e9}}};
 }
 
-std::vector<bench::Row> measure(bool quick) {
-    const Scene small = cube_scene(10);  // 6 000 tets
-    const Scene large = cube_scene(20);  // 48 000 tets
-    const int rounds = quick ? 3 : 7;
-    std::vector<bench::Row> rows;
-    rows.push_back(measure_bind("half_outside_50k", small, around_cube(50000, true, 0.5), rounds));
-    rows.push_back(measure_bind("half_outside_1m", large, around_cube(1000000, true, 0.5), rounds));
-    if (quick) return rows;
-    rows.push_back(measure_bind("inside_1m", large, around_cube(1000000, true, 1), rounds));
-    rows.push_back(measure_bind("outside_1m", large, around_cube(1000000, true, 0), rounds));
-    rows.push_back(measure_bind("outside_sorted_1m", large, around_cube(1000000, false, 0), rounds));
-    return rows;
+struct Case {
+    std::string input;
+    int cells;
+    std::size_t vertices;
+    bool is_shuffled;
+    double inside_share;
+    bool is_quick;
+};
+
+const Case cases[] = {
+    {"half_outside_50k", 10, 50000, true, 0.5, true},   // 6 000 tets
+    {"half_outside_1m", 20, 1000000, true, 0.5, true},  // 48 000 tets
+    {"inside_1m", 20, 1000000, true, 1, false},          {"outside_1m", 20, 1000000, true, 0, false},
+    {"outside_sorted_1m", 20, 1000000, false, 0, false},
+};
+
+void add_all(bool quick) {
+    for (const Case& c : cases) {
+        if (quick && !c.is_quick) continue;
+        const auto measure = [c](benchmark::State& state) {
+            const Scene scene = cube_scene(c.cells);
+            const VisualMesh visual = around_cube(c.vertices, c.is_shuffled, c.inside_share);
+            return std::vector<bench::Row>{measure_bind(state, c.input, scene, visual)};
+        };
+        bench::add("bind/" + c.input, measure)->Iterations(quick ? 3 : 7);
+    }
 }
 
 }
 }
 
-int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::measure); }
+int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::add_all); }

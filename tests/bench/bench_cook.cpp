@@ -35,7 +35,7 @@ pipeline::CookRequest request_in(const std::filesystem::path& folder) {
     return request;
 }
 
-std::vector<bench::Row> measure(bool quick) {
+std::vector<bench::Row> measure(benchmark::State& state) {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "crumple_bench_cook";
     std::filesystem::create_directories(folder);
     const pipeline::CookRequest request = request_in(folder);
@@ -43,7 +43,7 @@ std::vector<bench::Row> measure(bool quick) {
     const pipeline::Recipe recipe = pipeline::read_recipe(text.json, text.source);
     std::map<std::string, Times> times;
     std::vector<std::string> order;
-    for (int round = 0; round < (quick ? 3 : 11); ++round) {
+    while (state.KeepRunning()) {
         pipeline::CookReport report;
         pipeline::cook(recipe, request, report);
         order.clear();
@@ -52,6 +52,7 @@ std::vector<bench::Row> measure(bool quick) {
             order.push_back(stage.name);
         }
         times["cook"].add(report.usage);
+        state.SetIterationTime(report.usage.cpu_s);
     }
     order.push_back("cook");
     std::filesystem::remove_all(folder);
@@ -67,7 +68,9 @@ std::vector<bench::Row> measure(bool quick) {
     return rows;
 }
 
+void add_all(bool quick) { bench::add("cook/car_50k", measure)->Iterations(quick ? 3 : 11); }
+
 }
 }
 
-int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::measure); }
+int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::add_all); }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // delaunay against CGAL on the same points in the same run: median over pairs in alternating order, CPU time of one
-// thread, coordinates in memory before, tets with neighbours in memory after. CRUMPLE_BENCH_ONLY=sphere runs only the
-// inputs whose names hold that text.
+// thread, coordinates in memory before, tets with neighbours in memory after.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,18 +66,15 @@ double run_ours(const PointSet& points, delaunay::Order order, std::size_t& tets
     return seconds;
 }
 
-Pairs measure_pairs(const PointSet& points, bench::CgalPeer& peer, delaunay::Order order, double budget_s) {
-    constexpr std::size_t fewest = 5;
-    constexpr std::size_t most = 201;
+Pairs measure_pairs(benchmark::State& state, const PointSet& points, bench::CgalPeer& peer, delaunay::Order order) {
     Pairs pairs;
     std::vector<double> ours, cgal, ratio;
-    double spent = 0;
-    for (std::size_t i = 0; i < most && (i < fewest || spent < budget_s || i % 2 == 0); ++i) {
-        if (i % 2 == 0) cgal.push_back(peer.run());
+    for (bool is_cgal_first = true; state.KeepRunning(); is_cgal_first = !is_cgal_first) {
+        if (is_cgal_first) cgal.push_back(peer.run());
         ours.push_back(run_ours(points, order, pairs.tets));
-        if (i % 2 == 1) cgal.push_back(peer.run());
-        ratio.push_back(ours[i] / cgal[i]);
-        spent += ours[i] + cgal[i];
+        if (!is_cgal_first) cgal.push_back(peer.run());
+        ratio.push_back(ours.back() / cgal.back());
+        state.SetIterationTime(ours.back());
     }
     pairs.ours = bench::median(ours);
     pairs.cgal = bench::median(cgal);
@@ -94,15 +89,24 @@ double peak_bytes(const std::function<void()>& work) {
     return static_cast<double>(bench::heap_peak()) - before;
 }
 
-bench::Row measure(const std::string& input, const PointSet& points, bench::CgalPeer& peer, delaunay::Order order,
-                   double cgal_bytes, double budget_s) {
-    const auto count = static_cast<double>(points.positions.size());
-    const Pairs pairs = measure_pairs(points, peer, order, budget_s);
+// Points and peer of one input, made when its first benchmark runs and shared by those of the other orders.
+struct Scene {
+    explicit Scene(const Input& input) : points{input.make(), 0}, peer(points.positions) {
+        peer.run();
+        // A second one, freed again: the peak above what is in use then is one triangulation.
+        bench::CgalPeer fresh(points.positions);
+        cgal_bytes = peak_bytes([&] { fresh.run(); });
+    }
+    PointSet points;
+    bench::CgalPeer peer;
+    double cgal_bytes = 0;
+};
+
+bench::Row measure(benchmark::State& state, const std::string& input, Scene& scene, delaunay::Order order) {
+    const auto count = static_cast<double>(scene.points.positions.size());
+    const Pairs pairs = measure_pairs(state, scene.points, scene.peer, order);
     std::size_t tets = 0;
-    const double bytes = peak_bytes([&] { run_ours(points, order, tets); });
-    std::fprintf(stderr, "%-22s %-9s %8.0f ns/point  CGAL %8.0f  ratio %.3f  %4.0f bytes/point  CGAL %4.0f\n",
-                 input.c_str(), std::string(name_of(order)).c_str(), 1e9 * pairs.ours / count, 1e9 * pairs.cgal / count,
-                 pairs.ratio, bytes / count, cgal_bytes / count);
+    const double bytes = peak_bytes([&] { run_ours(scene.points, order, tets); });
     return {"delaunay",
             input,
             {{"order", std::string(name_of(order))},
@@ -112,40 +116,30 @@ bench::Row measure(const std::string& input, const PointSet& points, bench::Cgal
              {"cgal_ns_per_point", 1e9 * pairs.cgal / count},
              {"ratio_cgal", pairs.ratio},
              {"bytes_per_point", bytes / count},
-             {"cgal_bytes_per_point", cgal_bytes / count}}};
+             {"cgal_bytes_per_point", scene.cgal_bytes / count}}};
 }
 
-std::vector<bench::Row> measure_input(const Input& input, bool quick) {
-    PointSet points;
-    points.positions = input.make();
-    bench::CgalPeer peer(points.positions);
-    peer.run();
-    // A second one, freed again: the peak above what is in use then is one triangulation.
-    const double cgal_bytes = [&] {
-        bench::CgalPeer fresh(points.positions);
-        return peak_bytes([&] { fresh.run(); });
-    }();
-    std::vector<bench::Row> rows;
+void add_input(const Input& input, bool quick) {
+    const auto scene = std::make_shared<std::unique_ptr<Scene>>();
     for (const auto& order : delaunay::order_names) {
         const bool is_main = order.value == delaunay::Order::automatic || order.value == delaunay::Order::quickhull;
         if (quick && !is_main) continue;
-        rows.push_back(measure(input.name, points, peer, order.value, cgal_bytes, quick ? 0.4 : 3.0));
+        const auto measure_order = [scene, input, value = order.value](benchmark::State& state) {
+            if (!*scene) *scene = std::make_unique<Scene>(input);
+            return std::vector<bench::Row>{measure(state, input.name, **scene, value)};
+        };
+        bench::add("delaunay/" + input.name + "/" + std::string(order.name), measure_order)
+            ->MinTime(quick ? 0.15 : 1.5);
     }
-    return rows;
 }
 
-std::vector<bench::Row> measure_all(bool quick) {
-    const char* only = std::getenv("CRUMPLE_BENCH_ONLY");
-    std::vector<bench::Row> rows;
+void add_all(bool quick) {
     for (const Input& input : inputs()) {
-        if (quick && !input.is_quick) continue;
-        if (only != nullptr && input.name.find(only) == std::string::npos) continue;
-        for (bench::Row& row : measure_input(input, quick)) rows.push_back(std::move(row));
+        if (input.is_quick || !quick) add_input(input, quick);
     }
-    return rows;
 }
 
 }
 }
 
-int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::measure_all); }
+int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::add_all); }
