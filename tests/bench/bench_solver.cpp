@@ -438,8 +438,4 @@ void add_all(bool quick) {
 }
 }
 
-int main(int argc, char** argv) {
-    return crumple::bench::run(argc, argv, [](bool quick) {
-        crumple::bench::add_once("solver", [quick] { return crumple::bench::measure(quick); });
-    });
-}
+int main(int argc, char** argv) { return crumple::bench::run(argc, argv, crumple::bench::add_all); }
