@@ -6,7 +6,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "core/random.h"
 #include "geometry/measures.h"
@@ -85,6 +89,33 @@ TEST(SelfIntersection, FlatAndFoldedShapesOnAGridGiveThePairsOfCgal) {
                          shell.positions[t[2]] - shell.positions[t[0]]) == Vec3{};
         });
         EXPECT_EQ(pairs_of(shell), pairs_by_cgal(shell)) << "seed " << seed;
+    }
+}
+
+// Positions and triangles of a plain OBJ file of the shared data; empty when it is not there.
+Shell obj_of(const std::string& name) {
+    const char* given = std::getenv("CRUMPLE_DATA");
+    std::ifstream file((given ? std::string(given) : CRUMPLE_DEFAULT_DATA) + "/" + name);
+    Shell shell;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        words >> kind;
+        Vec3 p;
+        Triangle t{};
+        if (kind == "v" && words >> p.x >> p.y >> p.z) shell.positions.push_back(p);
+        if (kind == "f" && words >> t[0] >> t[1] >> t[2]) shell.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
+    }
+    return shell;
+}
+
+TEST(SelfIntersection, RealShellsGiveThePairsOfCgal) {
+    for (const auto& [name, crosses] : {std::pair{"cow", true}, {"spot", false}, {"fandisk", false}}) {
+        const Shell shell = obj_of(std::string("quality/") + name + ".obj");
+        if (shell.triangles.empty()) GTEST_SKIP() << "no shared data: set CRUMPLE_DATA to its folder";
+        const Pairs pairs = pairs_of(shell);
+        EXPECT_EQ(!pairs.empty(), crosses) << name;
+        EXPECT_EQ(pairs, pairs_by_cgal(shell)) << name;
     }
 }
 
