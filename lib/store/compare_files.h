@@ -2,6 +2,7 @@
 // What differs between two files, dataset by dataset.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 

@@ -174,8 +174,10 @@ void FileWriter::set_attribute(const std::string& group, const std::string& name
 }
 
 void FileWriter::set_attribute(const std::string& group, const std::string& name, const std::string& text) {
-    const Handle type = text_type(padded_length({text}), H5T_CSET_ASCII);
-    state_->set_attribute(group, name, type.id(), {Type::text, text.size(), {}}, std::as_bytes(std::span(text)));
+    const std::size_t size = padded_length({text});
+    const std::string padded = pad_texts({text}, size);
+    const Handle type = text_type(size, H5T_CSET_ASCII);
+    state_->set_attribute(group, name, type.id(), {Type::text, size, {}}, std::as_bytes(std::span(padded)));
 }
 
 std::vector<std::byte> FileWriter::finish() {

@@ -97,10 +97,11 @@ TEST(Hdf5File, AttributesComeBack) {
     const FileReader reader = write_and_read([](FileWriter& w) {
         w.set_attribute("/group", "version", std::vector<std::int64_t>{1, 0});
         w.set_attribute("/group", "type", std::string("UnstructuredGrid"));
+        w.set_attribute("/group", "empty", std::string());
     });
     EXPECT_EQ(reader.read_numbers("/group", "version"), (std::vector<std::int64_t>{1, 0}));
     EXPECT_EQ(reader.read_attribute("/group", "type").info.element_size, 16u);
-    EXPECT_EQ(reader.all_attributes(), (std::vector<std::string>{"/group@type", "/group@version"}));
+    EXPECT_EQ(reader.all_attributes(), (std::vector<std::string>{"/group@empty", "/group@type", "/group@version"}));
     EXPECT_TRUE(verify_digests(reader).empty());
 }
 
