@@ -108,12 +108,11 @@ Part wheel_house(const char* name, double side, double z) {
     constexpr double dome = 0.03;
     const double rim = (car::wheel_radius + 0.02) / turn(0.5 / segments).cosine;  // the drum's flats clear the tyre
     Part part{name, {}, {}, {}};
-    const Vec3 profile[] = {{-half_width - dome, 0, 0},
-                            {-half_width, rim, 0},
-                            {0, 1.03 * rim, 0},
-                            {half_width, rim, 0},
-                            {half_width + dome, 0, 0}};
-    add_revolved(part, {side * car::wheel_middle_x, car::wheel_radius, z}, profile, segments, locked, true);
+    const Hoop profile[] = {{-half_width - dome, 0},      {-half_width - 0.7 * dome, 0.52 * rim, segments / 2},
+                            {-half_width, rim, segments}, {0, 1.03 * rim, segments, 0.5},
+                            {half_width, rim, segments},  {half_width + 0.7 * dome, 0.52 * rim, segments / 2},
+                            {half_width + dome, 0}};
+    add_revolved(part, {side * car::wheel_middle_x, car::wheel_radius, z}, profile, locked);
     return part;
 }
 

@@ -25,14 +25,14 @@ void turn_around_x(Part& part, std::size_t first, Vec3 centre, Turn t) {
 }
 
 // Half the profile of a tyre from its recessed middle to the tread, mirrored to the other side. The grooves are real.
-std::vector<Vec3> tyre_profile() {
-    const Vec3 half[] = {{-0.060, 0.000, 0}, {-0.062, 0.120, 0}, {-0.070, 0.180, 0}, {-0.096, 0.188, 0},
-                         {-0.103, 0.205, 0}, {-0.107, 0.230, 0}, {-0.108, 0.250, 0}, {-0.105, 0.270, 0},
-                         {-0.099, 0.287, 0}, {-0.090, 0.298, 0}, {-0.080, 0.304, 0}, {-0.064, 0.308, 0},
-                         {-0.046, 0.310, 0}, {-0.044, 0.301, 0}, {-0.034, 0.301, 0}, {-0.032, 0.310, 0},
-                         {-0.008, 0.310, 0}, {-0.006, 0.301, 0}};
-    std::vector<Vec3> profile(std::begin(half), std::end(half));
-    for (std::size_t i = std::size(half); i > 0; --i) profile.push_back({-half[i - 1].x, half[i - 1].y, 0});
+std::vector<Hoop> tyre_profile(int segments) {
+    constexpr Hoop half[] = {{-0.060, 0.000}, {-0.062, 0.120}, {-0.070, 0.180}, {-0.096, 0.188}, {-0.103, 0.205},
+                             {-0.107, 0.230}, {-0.108, 0.250}, {-0.105, 0.270}, {-0.099, 0.287}, {-0.090, 0.298},
+                             {-0.080, 0.304}, {-0.064, 0.308}, {-0.046, 0.310}, {-0.044, 0.301}, {-0.034, 0.301},
+                             {-0.032, 0.310}, {-0.008, 0.310}, {-0.006, 0.301}};
+    std::vector<Hoop> profile(std::begin(half), std::end(half));
+    for (std::size_t i = std::size(half); i > 0; --i) profile.push_back({-half[i - 1].x, half[i - 1].radius});
+    for (auto& hoop : profile) hoop.count = segments;
     return profile;
 }
 
@@ -55,7 +55,7 @@ Part wheel(const char* name, double side, double axle) {
     constexpr int spokes = 5;
     const Vec3 centre{side * car::wheel_middle_x, car::wheel_radius, axle};
     Part part{name, {}, {}, {}};
-    add_revolved(part, centre, tyre_profile(), segments, rubber);
+    add_revolved(part, centre, tyre_profile(segments), rubber);
     cut_tread(part, centre, segments);
     const double face = side * 0.084;
     add_torus(part, {centre + Vec3{face, 0, 0}, 0, 0.178, 0.011, 60, 10}, alloy);
@@ -64,8 +64,8 @@ Part wheel(const char* name, double side, double axle) {
         add_box(part, {centre + Vec3{face - side * 0.006, 0.098, 0}, {0.012, 0.078, 0.020}, {2, 8, 4}, 0.15}, alloy);
         turn_around_x(part, first, centre, turn(static_cast<double>(spoke) / spokes));
     }
-    const Vec3 hub[] = {{-0.018, 0, 0}, {-0.018, 0.040, 0}, {0.010, 0.038, 0}, {0.016, 0.024, 0}, {0.018, 0, 0}};
-    add_revolved(part, centre + Vec3{face, 0, 0}, hub, 24, alloy);
+    const Hoop hub[] = {{-0.018, 0}, {-0.018, 0.040, 24}, {0.010, 0.038, 24}, {0.016, 0.024, 24}, {0.018, 0}};
+    add_revolved(part, centre + Vec3{face, 0, 0}, hub, alloy);
     return part;
 }
 

@@ -76,25 +76,21 @@ void add_box(Part& part, const Box& box, Color color) {
     }
 }
 
-void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color, bool staggers) {
+void add_revolved(Part& part, Vec3 centre, std::span<const Hoop> hoops, Color color) {
+    const auto middle = [&](const Hoop& hoop) { return centre + Vec3{hoop.x, 0, 0}; };
     Ring last;
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-        const Vec3 middle = centre + Vec3{profile[i].x, 0, 0};
-        const double r = profile[i].y;
-        if (i + 1 == profile.size() && r == 0) {
-            close_with_point(part, last, middle, color);
-            return;
-        }
-        if (r == 0) continue;
-        const Ring ring = circle_ring(part, middle, {0, r, 0}, {0, 0, r}, segments, staggers && i % 2 ? 0.5 : 0, color);
-        if (last.vertices.empty()) {
-            close_with_point(part, reversed(ring), centre + Vec3{profile[0].x, 0, 0}, color);
+    for (std::size_t i = 1; i + 1 < hoops.size(); ++i) {
+        const Hoop& hoop = hoops[i];
+        const Ring ring =
+            circle_ring(part, middle(hoop), {0, hoop.radius, 0}, {0, 0, hoop.radius}, hoop.count, hoop.offset, color);
+        if (i == 1) {
+            close_with_point(part, reversed(ring), middle(hoops.front()), color);
         } else {
             stitch(part, last, ring);
         }
         last = ring;
     }
-    close_with_point(part, last, centre + Vec3{profile.back().x, 0, 0}, color);
+    close_with_point(part, last, middle(hoops.back()), color);
 }
 
 void add_torus(Part& part, const Torus& torus, Color color) {

@@ -16,11 +16,17 @@ struct Box {
 };
 void add_box(Part& part, const Box& box, Color color);
 
-// A solid of revolution around the x axis through `centre`. The profile holds (x, radius) pairs as Vec3{x, radius, 0}
-// from low x to high x; its two ends are closed by discs unless their radius is 0. Staggered rings give triangles of
-// equal sides instead of halves of rectangles.
-void add_revolved(Part& part, Vec3 centre, std::span<const Vec3> profile, int segments, Color color,
-                  bool staggers = false);
+// One ring of a solid of revolution.
+struct Hoop {
+    double x;       // along the axis
+    double radius;  // 0 at the first and the last: the tips
+    int count = 0;  // vertices
+    double offset =
+        0;  // turned by this part of an edge; half an edge for every other hoop gives triangles of equal sides
+};
+
+// A solid of revolution around the x axis through `centre`, from low x to high x.
+void add_revolved(Part& part, Vec3 centre, std::span<const Hoop> hoops, Color color);
 
 // A ring of round cross-section around `axis` (0: x, 1: y, 2: z).
 struct Torus {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads OBJ, PLY, GLB and cooked HDF files into plain parts for the pictures. Needs numpy; h5py for .hdf."""
+"""Reads OBJ, PLY, GLB and cooked HDF files into plain parts for the pictures. Needs numpy and VTK."""
 import json
 import pathlib
 import struct
@@ -97,15 +97,23 @@ PALETTE = numpy.array([[120, 170, 220], [230, 120, 60], [110, 190, 120], [220, 1
 
 
 def read_hdf(path):
-    """The tets of a bundle, coloured by region."""
-    import h5py
-    with h5py.File(path, "r") as file:
-        bundle = file["bundle"]
-        points, tets = bundle["rest_positions"][:], bundle["tets"][:]
-        region, locked = bundle["region"][:], bundle["locked"][:].astype(bool)
-    part = part_of(path.stem, points, tets, PALETTE[region % len(PALETTE)])
-    part.locked = locked
-    return [part]
+    """The tets of a bundle, a part and a colour each region, through the reader that ParaView uses."""
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+    reader = vtk.vtkHDFReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    mesh = reader.GetOutput()
+    tets = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    region = vtk_to_numpy(mesh.GetCellData().GetArray("region"))
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    locked = vtk_to_numpy(mesh.GetPointData().GetArray("locked")) != 0
+    parts = []
+    for number in numpy.unique(region):
+        own = tets[region == number]
+        parts.append(part_of(f"region_{number}", points, own, numpy.tile(PALETTE[number % len(PALETTE)], (len(own), 1))))
+        parts[-1].locked = locked
+    return parts
 
 
 READERS = {".obj": read_obj, ".ply": read_ply, ".glb": read_glb, ".hdf": read_hdf}

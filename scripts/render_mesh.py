@@ -3,7 +3,7 @@
 """Draws meshes and cooked bundles into a PNG, without a display.
 
     scripts/render_mesh.py samples/car/car_shell.glb -o shell.png --wire
-    scripts/render_mesh.py car.hdf -o inside.png --cut x=0.2
+    scripts/render_mesh.py car.hdf -o inside.png --cut 'x>0.2'
     scripts/render_mesh.py car_visual.glb car_shell.glb -o both.png --ghost car_shell
 
 Needs python3-vtk9, python3-numpy, and xvfb where no display is set.
@@ -11,6 +11,7 @@ Needs python3-vtk9, python3-numpy, and xvfb where no display is set.
 import argparse
 import math
 import os
+import re
 import shutil
 import sys
 
@@ -34,18 +35,21 @@ def options():
     parser.add_argument("--locks", action="store_true", help="mark locked vertices with red balls")
     parser.add_argument("--ghost", action="append", default=[], metavar="NAME", help="see-through part (or file stem); repeatable")
     parser.add_argument("--hide", action="append", default=[], metavar="NAME", help="leave a part out; repeatable")
-    parser.add_argument("--cut", metavar="x=0.2", help="keep only elements whose middle lies below this coordinate")
+    parser.add_argument("--cut", metavar="x<0.2", help="keep only elements whose middle lies there; also x>0.2")
+    parser.add_argument("--cut-part", metavar="NAME", help="cut this part only, for example region_0 of a bundle")
     args = parser.parse_args()
     unknown = [view for view in args.view.split(",") if view not in VIEWS]
+    if args.cut and not re.fullmatch(r"[xyz][<>]-?[0-9.]+", args.cut):
+        parser.error(f"--cut {args.cut}: write it like 'x<0.2'")
     if unknown:
         parser.error(f"no view is called {unknown[0]}; there are: {', '.join(VIEWS)}")
     return args
 
 
 def middles_kept(part, cut):
-    axis, limit = cut.split("=")
-    middle = part.points[part.triangles].mean(axis=1)
-    return middle[:, "xyz".index(axis)] < float(limit)
+    axis, side, limit = "xyz".index(cut[0]), cut[1], float(cut[2:])
+    middle = part.points[part.triangles].mean(axis=1)[:, axis]
+    return middle < limit if side == "<" else middle > limit
 
 
 def boundary(part):
@@ -58,12 +62,12 @@ def boundary(part):
     return faces[alone], owner[alone]
 
 
-def poly_data(part, cut):
+def poly_data(part, args):
     import vtk
     from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     cell_colors = len(part.colors) == len(part.triangles) and part.triangles.shape[1] == 4
-    if cut:
-        kept = middles_kept(part, cut)
+    if args.cut and args.cut_part in (None, part.name):
+        kept = middles_kept(part, args.cut)
         part.triangles = part.triangles[kept]
         if cell_colors:
             part.colors = part.colors[kept]
@@ -103,7 +107,7 @@ def smoothed(mesh):
 def actor_of(part, args, ghost):
     import vtk
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(smoothed(poly_data(part, args.cut)) if args.smooth else poly_data(part, args.cut))
+    mapper.SetInputData(smoothed(poly_data(part, args)) if args.smooth else poly_data(part, args))
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
@@ -116,8 +120,11 @@ def actor_of(part, args, ghost):
     look.SetSpecular(0.15)
     look.SetSpecularPower(30)
     if ghost:
+        mapper.ScalarVisibilityOff()
         look.SetRepresentationToWireframe()
-        look.SetOpacity(0.35)
+        look.LightingOff()
+        look.SetColor(0.3, 0.33, 0.38)
+        look.SetOpacity(0.3)
     elif args.wire:
         look.EdgeVisibilityOn()
         look.SetEdgeColor(0.1, 0.1, 0.12)
