@@ -43,6 +43,7 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
 std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (text.find("mNumMeshes is 0") != std::string::npos) return "it has no faces";
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
         text.replace(at, path.size(), "the file");
     return text.empty() ? "it cannot be read" : text;

@@ -140,7 +140,7 @@ bool is_rigid_by_paint(const Component& component, const Decision& decision, boo
 }
 
 Decision by_winding(const Shell& shell, const Component& component) {
-    if (!component.is_closed) return {Role::solid, "open: taken as solid"};
+    if (!component.is_closed) return {Role::solid, "not closed: taken as solid"};
     const std::string inside =
         component.parent == none ? "" : " inside '" + shell.components[component.parent].name + "'";
     if (!component.is_inward) return {Role::solid, "winding: closed and wound outwards" + inside};

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/random.h"
 #include "importer/import_checks.h"
+#include "importer/temp_folder.h"
 
 namespace crumple::importer {
 namespace {
@@ -99,6 +101,32 @@ TEST(Blender, FilesWithZUpAreTurned) {
     const Result fbx = import_shell(fixture("blender.z_up.fbx"), params);
     expect_truth(fbx, 1e-6);
     EXPECT_EQ(fbx.report.shell.up, "z");
+}
+
+// Bytes changed, cut out and repeated at random places: read or refused, never worse.
+TEST(Blender, DamagedExportsAreReadOrRefused) {
+    const test::TempFolder folder;
+    for (const char* name : {"blender.byte_point.glb", "blender.byte_point.fbx", "blender.z_up.dae"}) {
+        std::ifstream file(fixture(name), std::ios::binary);
+        const std::string good((std::istreambuf_iterator<char>(file)), {});
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            Rng rng(seed);
+            std::string bytes = good;
+            for (std::uint32_t changes = 1 + rng.next_below(6); changes > 0; --changes) {
+                const std::size_t at = rng.next_below(static_cast<std::uint32_t>(bytes.size()));
+                const std::uint32_t kind = rng.next_below(3);
+                const std::size_t length = rng.next_below(64);
+                if (kind == 0) bytes[at] = static_cast<char>(rng.next_below(256));
+                if (kind == 1) bytes.erase(at, length);
+                if (kind == 2) bytes.insert(at, bytes.substr(at, length));
+            }
+            const std::string path =
+                folder.write("damaged" + std::string(name).substr(std::string(name).size() - 4), bytes);
+            const auto refusal = test::refusal_of_file(path);
+            EXPECT_TRUE(refusal.message.empty() || refusal.kind == ErrorKind::bad_input)
+                << name << " seed " << seed << ": " << refusal.message;
+        }
+    }
 }
 
 TEST(Blender, ObjIsExactToItsSixDecimals) {

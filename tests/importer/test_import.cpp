@@ -109,6 +109,7 @@ TEST(Import, WhatEnclosesNothingIsRefused) {
     const TempFolder folder;
     const auto none_at_all = refusal_of_file(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
     EXPECT_EQ(none_at_all.kind, ErrorKind::bad_input);
+    EXPECT_TRUE(contains(none_at_all.message, "no faces")) << none_at_all.message;
     const auto flat =
         refusal_of_file(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"));
     EXPECT_TRUE(contains(flat.message, "SHELL_FLAT")) << flat.message;
