@@ -20,7 +20,7 @@ inline constexpr int version = 1;
 
 struct Params {
     double max_weight = 1.5;
-    double nearest_slack = 1e-5;
+    double nearest_slack = 1e-6;
 };
 
 template <class Visitor, FieldsOf<Params> P>
