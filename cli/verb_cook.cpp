@@ -93,17 +93,21 @@ void put_report(const CookFlags& flags, const CookReport& report, const Console&
     if (flags.output.format == Format::json) console.result(json);
 }
 
+std::vector<std::string> summary_row(const std::string& name, const pipeline::Usage& usage,
+                                     const std::vector<Finding>& findings) {
+    const auto short_text = [](double number) { return report::number_text(number, 3); };
+    return {name, short_text(usage.cpu_s), short_text(usage.wall_s), short_text(usage.peak_memory_mb),
+            report::findings_summary(findings)};
+}
+
 std::string summary_text(const CookReport& report, const std::string& output, bool has_color) {
     std::vector<std::vector<std::string>> rows{{"stage", "cpu s", "wall s", "peak MB", "findings"}};
     std::vector<Finding> all;
     for (const auto& stage : report.stages) {
-        const auto& usage = stage.usage;
-        rows.push_back({stage.name, report::number_text(usage.cpu_s), report::number_text(usage.wall_s),
-                        report::number_text(usage.peak_memory_mb), report::findings_summary(stage.findings)});
+        rows.push_back(summary_row(stage.name, stage.usage, stage.findings));
         all.insert(all.end(), stage.findings.begin(), stage.findings.end());
     }
-    rows.push_back({"all", report::number_text(report.usage.cpu_s), report::number_text(report.usage.wall_s),
-                    report::number_text(report.usage.peak_memory_mb), report::findings_summary(all)});
+    rows.push_back(summary_row("all", report.usage, all));
     std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0});
     if (report.determinism_jobs > 0) {
         text += "cooked again with " + std::to_string(report.determinism_jobs) + " threads: the same bytes\n";

@@ -52,6 +52,7 @@ FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
     }
     const Workspace work = read_work_image(std::move(image), name);
     measure_quality(work, check);
+    check.shell = shell_figures(work);
     for (const StageRecord& record : work.records) {
         std::vector<Finding> findings = findings_in(record);
         if (!findings.empty()) check.stages.push_back({record.name, std::move(findings)});
@@ -90,6 +91,7 @@ std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) 
         text += "  while cooking, " + report::printable(stage.stage) + ":\n" +
                 report::findings_text(stage.findings, {has_color, 4, places});
     }
+    if (is_verbose) text += "  shell\n" + report::report_text(report::Described::of(check.shell), {.indent = 4});
     if (is_verbose) text += "  quality\n" + report::report_text(report::Described::of(check.quality), {.indent = 4});
     return text;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/finding.h"
+#include "pipeline/shell_figures.h"
 #include "pipeline/workspace.h"
 #include "quality/quality.h"
 #include "report/described.h"
@@ -31,6 +32,7 @@ struct FileCheck {
     std::vector<Finding> problems;  // digests that are wrong, invariants that do not hold
     std::vector<Finding> findings;  // of the quality, measured on the file itself
     quality::Summary quality;
+    ShellFigures shell;
     std::vector<StageFindings> stages;  // stored when it was cooked: what needs the shell is told by these
     std::vector<StageRecord> record;
 };
@@ -44,6 +46,7 @@ void describe(Visitor& visit, C& c) {
     visit.field("problems", c.problems, "digests that are wrong, invariants that do not hold");
     visit.field("findings", c.findings, "of the quality, measured on the file itself");
     visit.field("quality", c.quality, "of the tets");
+    visit.field("shell", c.shell, "how well the tets keep to the shell");
     visit.field("stages", c.stages, "findings stored when it was cooked");
     visit.field("record", c.record, "reports stored when it was cooked");
 }

@@ -6,9 +6,9 @@
 
 namespace crumple::report {
 
-std::string number_text(double number) {
+std::string number_text(double number, int digits) {
     std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
     return std::string(text.data(), end.ptr);
 }
 

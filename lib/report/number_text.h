@@ -6,8 +6,8 @@
 
 namespace crumple::report {
 
-// Six significant digits at most: "0.25", "1e+13", "inf", "nan".
-[[nodiscard]] std::string number_text(double number);
+// So many significant digits at most: "0.25", "1e+13", "inf", "nan".
+[[nodiscard]] std::string number_text(double number, int digits = 6);
 
 // The shortest digits that read back as the same float.
 [[nodiscard]] std::string float_text(float number);

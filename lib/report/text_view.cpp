@@ -121,7 +121,7 @@ std::string finding_text(const Finding& finding, const TextStyle& style) {
 }
 
 bool is_number(const std::string& cell) {
-    return !cell.empty() && (cell[0] == '-' || cell[0] == '+' || (cell[0] >= '0' && cell[0] <= '9'));
+    return !cell.empty() && cell.find_first_not_of("0123456789+-.e") == std::string::npos;
 }
 
 std::size_t count_of(std::span<const Finding> findings, Severity severity) {

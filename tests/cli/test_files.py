@@ -39,6 +39,18 @@ class Check(program.Case):
         stages = {stage["name"]: stage["report"] for stage in report["files"][0]["record"]}
         self.assertGreater(stages["cull"]["shell_volume"], 0)
         self.assertIn("findings", stages["import"])
+        shell = report["files"][0]["shell"]
+        self.assertEqual(shell["source"], "stored")
+        self.assertEqual(shell["volume_error"], stages["cull"]["volume_error"])
+
+    def test_figures_that_need_the_shell_are_measured_where_it_is(self):
+        _, stored = self.check(self.output)
+        self.ok(self.cook("--keep-work", "--set", "cull.hausdorff_samples=4000"))
+        _, measured = self.check(self.output)
+        first, second = stored["files"][0]["shell"], measured["files"][0]["shell"]
+        self.assertEqual(second["source"], "measured")
+        self.assertAlmostEqual(first["volume_error"], second["volume_error"], places=9)
+        self.assertAlmostEqual(first["hausdorff_out"], second["hausdorff_out"], places=2)
 
     def test_a_file_that_is_not_there_is_exit_2(self):
         code, report = self.check(self.path("none.hdf"))
