@@ -18,26 +18,31 @@ constexpr double inside_threshold = 0.5 + 1e-9;
 
 struct Part {
     std::vector<Triangle> triangles;
+    Box box;
     double volume = 0;
     Vec3 first;  // lexicographically: tells apart components of one volume
 };
 
 void measure(Part& part, const std::vector<Vec3>& positions) {
-    Box box;
     bool is_first = true;
     for (const Triangle& triangle : part.triangles) {
         for (const Index v : triangle) {
-            box.add(positions[v]);
+            part.box.add(positions[v]);
             if (is_first || lexicographic_less(positions[v], part.first)) part.first = positions[v];
             is_first = false;
         }
     }
     // From the box's centre an open component has a meaningful volume too, and nothing is lost to a far origin.
-    const Vec3 centre = (box.low + box.high) * 0.5;
+    const Vec3 centre = (part.box.low + part.box.high) * 0.5;
     for (const Triangle& t : part.triangles) {
         part.volume += signed_volume(centre, positions[t[0]], positions[t[1]], positions[t[2]]);
     }
     part.volume = std::fabs(part.volume);
+}
+
+bool contains(const Box& box, Vec3 p) {
+    return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x && p.y <= box.high.y &&
+           p.z <= box.high.z;
 }
 
 std::vector<Part> split_by_component(const Shell& shell) {
@@ -57,13 +62,17 @@ std::vector<Part> split_by_component(const Shell& shell) {
 
 struct ShellInterior::Parts {
     std::vector<WindingNumber> winding;  // C
+    std::vector<Box> boxes;              // C
     std::vector<Role> roles;             // C
     std::vector<Index> by_volume;        // C components, least volume first
 };
 
 ShellInterior::ShellInterior(const Shell& shell) : parts_(std::make_unique<Parts>()) {
     const std::vector<Part> parts = split_by_component(shell);
-    for (const Part& part : parts) parts_->winding.emplace_back(shell.positions, part.triangles);
+    for (const Part& part : parts) {
+        parts_->winding.emplace_back(shell.positions, part.triangles);
+        parts_->boxes.push_back(part.box);
+    }
     for (const Component& component : shell.components) parts_->roles.push_back(component.role);
     parts_->by_volume.resize(parts.size());
     std::iota(parts_->by_volume.begin(), parts_->by_volume.end(), Index{0});
@@ -77,7 +86,8 @@ ShellInterior::~ShellInterior() = default;
 
 Index ShellInterior::innermost(Vec3 p) const {
     for (const Index component : parts_->by_volume) {
-        if (winding(component, p) > inside_threshold) return component;
+        // Nothing outside its box is inside a component, whatever an open one's winding number says there.
+        if (contains(parts_->boxes[component], p) && winding(component, p) > inside_threshold) return component;
     }
     return none;
 }
