@@ -18,12 +18,16 @@ EXACT = """ascii_rgb_u8.ply ascii_rgba_u8.ply ascii_rgb_f32.ply bin_rgba_u8.ply 
     flat_rgba_u8n.glb twoprims_u8n.glb hand.dae viaassimp.x coff_float.off coff_int.off""".split()
 
 
-def truth(name="truth.bin"):
-    """Positions (float32) of the locked vertices: red below half an 8-bit step."""
+def vertices(name="truth.bin"):
+    """Rows of x y z r g b a, as float32."""
     content = (LOCKS / name).read_bytes()
     count = struct.unpack_from("<i", content)[0]
-    rows = [struct.unpack_from("<7f", content, 4 + 28 * i) for i in range(count)]
-    return {row[:3] for row in rows if row[3] < 0.5 / 255}
+    return [struct.unpack_from("<7f", content, 4 + 28 * i) for i in range(count)]
+
+
+def truth(name="truth.bin"):
+    """Positions of the locked vertices: red below half an 8-bit step."""
+    return {row[:3] for row in vertices(name) if row[3] < 0.5 / 255}
 
 
 @program.needs_data
@@ -54,6 +58,41 @@ class Locks(program.Case):
         for a, b in zip(expected, found):
             for x, y in zip(a, b):
                 self.assertAlmostEqual(x, y, delta=max(abs(x) * 2**-23, 1e-12))
+
+
+    def import_report(self, name, *words):
+        report = self.json_of(program.run("cook", "smoke", "--shell", LOCKS / f"car_body.{name}", "-o", self.output, "-q",
+                                          "--format", "json", *words))
+        return report["stages"][0]["report"]
+
+    def test_variants_by_their_own_truth(self):
+        also = {row[:3] for i, row in enumerate(vertices()) if i in (0, 1, 2, 3, 7)}
+        self.assertEqual(self.locked("weirdred_f32.ply"), truth() | also)
+        self.assertEqual(self.locked("tiny1e-6_rgba_u8.ply"), truth("truth_tiny.bin"))
+        self.assertEqual(self.locked("color1_only_u8n.glb", "--color-set", "1"), truth())
+        self.assertEqual(len(self.locked("2dec.obj")), 109)
+
+    def test_transforms_keep_the_number_of_locks_and_a_positive_volume(self):
+        for name in ["mirrored_u8n.glb", "nodexform_u8n.glb"]:
+            self.assertEqual(len(self.locked(name)), 84, name)
+        report = self.import_report("mirrored_u8n.glb")
+        self.assertTrue(all(component["volume"] > 0 for component in report["components"]))
+
+    def test_what_paints_nothing_is_told(self):
+        for name in ["viaassimp.stl", "color1_only_u8n.glb"]:
+            report = self.import_report(name)
+            self.assertEqual(report["locked"], 0, name)
+            self.assertTrue(report["findings"], name)
+
+    def test_what_cannot_be_read_is_exit_3_and_says_why(self):
+        for name, word in [("partial.obj", "line"), ("partial_unlocked.obj", "line"), ("rgba.obj", "line"),
+                           ("viaassimp.x3d", "obj"), ("viaassimp.3mf", "obj"), ("viaassimp.assbin", "obj"),
+                           ("viaassimp.fbx", ""), ("viaassimp.plyb.ply", "")]:
+            with self.subTest(name):
+                process = program.run("cook", "smoke", "--shell", LOCKS / f"car_body.{name}", "-o", self.output)
+                self.fails(process, 3, name)
+                self.assertIn(word, process.stderr.lower())
+                self.assertFalse(self.output.exists())
 
 
 @program.needs_data

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Manners: help, versions, exit codes, where text goes."""
 import json
+import os
+import pty
+import subprocess
 import unittest
 
 import program
@@ -56,6 +59,30 @@ class Usage(program.Case):
     def test_verbose_shows_the_stages_reports(self):
         process = self.ok(self.cook("-v"))
         self.assertIn("lock_conflicts", process.stderr)
+
+    def on_a_terminal(self, **environment):
+        """What a cook says when stderr is a terminal."""
+        ours, theirs = pty.openpty()
+        words = [program.PROGRAM, "cook", "smoke", "--shell", str(self.shell), "-o", str(self.output)]
+        process = subprocess.Popen(words, stderr=theirs, stdout=subprocess.DEVNULL, env={**os.environ, **environment})
+        os.close(theirs)
+        said = b""
+        try:
+            while chunk := os.read(ours, 65536):
+                said += chunk
+        except OSError:  # how a terminal says that nobody writes to it any more
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), 0)
+        return said
+
+    def test_progress_renews_one_line_on_a_terminal(self):
+        said = self.on_a_terminal()
+        self.assertIn(b"\rrelax", said.replace(b"\r\033[K", b"\r"))
+
+    def test_no_color_is_honoured(self):
+        self.assertIn(b"\033[3", self.on_a_terminal(NO_COLOR=""))
+        self.assertNotIn(b"\033[3", self.on_a_terminal(NO_COLOR="1"))
 
     def test_arguments_may_come_from_a_file(self):
         arguments = self.path("cook.args")
