@@ -75,7 +75,12 @@ Console::Console()
       colors_results_(may_color(STDOUT_FILENO)),
       colors_talk_(may_color(STDERR_FILENO)) {}
 
-void Console::result(std::string_view text) const { put(stdout, text); }
+void Console::result(std::string_view text) const {
+    // A result that did not arrive must not look like success to whoever reads only the exit code.
+    const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (std::fflush(stdout) != 0 || !is_written)
+        throw Error(ErrorKind::file, "stdout: the result could not be written; is the disk full or the stream closed?");
+}
 
 void Console::talk(std::string_view text) const {
     if (!is_quiet) put(stderr, text);

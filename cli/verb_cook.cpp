@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crumple cook
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <span>
 #include <thread>
@@ -172,6 +173,16 @@ int run_cook(const CookFlags& flags, const Console& console) {
     }
 }
 
+// CLI11's own lets nan through, which is no limit at all.
+CLI::Validator positive_number() {
+    return {[](const std::string& text) -> std::string {
+                double value = 0;
+                if (CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)) return {};
+                return "'" + text + "' is not a number above 0";
+            },
+            "NUMBER > 0"};
+}
+
 }
 
 void add_cook(CLI::App& app, Session& session) {
@@ -190,8 +201,8 @@ void add_cook(CLI::App& app, Session& session) {
         ->type_name("FILE");
     verb->add_flag("--dry-run", flags->is_dry_run, "say what would be cooked and why, and write nothing");
     verb->add_flag("--check-determinism", flags->checks_determinism, "cook twice at different --jobs, compare");
-    verb->add_option("--timeout", flags->budget.time_s, "seconds the cook may take")->check(CLI::PositiveNumber);
-    verb->add_option("--max-memory", flags->budget.memory_mb, "megabytes it may hold")->check(CLI::PositiveNumber);
+    verb->add_option("--timeout", flags->budget.time_s, "seconds the cook may take")->check(positive_number());
+    verb->add_option("--max-memory", flags->budget.memory_mb, "megabytes it may hold")->check(positive_number());
     add_progress_flag(*verb, session.console);
     verb->footer(
         "Example: crumple cook car_body --shell car.glb --visual body=car_detail.glb -o car.hdf --report car.json");

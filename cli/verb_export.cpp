@@ -59,10 +59,7 @@ int run_export(const ExportFlags& flags, const Console& console) {
     const std::vector<std::byte> image = store::read_file(flags.input);
     for (const Target& target : targets) {
         const std::string text = pipeline::run_text_in_child(
-            [&] {
-                return pipeline::export_mesh(pipeline::visible_bundle(pipeline::read_work_image(image, flags.input)),
-                                             target.format);
-            },
+            [&] { return pipeline::export_work(pipeline::read_work_image(image, flags.input), target.format); },
             flags.input);
         store::write_file(target.path, std::as_bytes(std::span(text)));
         console.talk(report::printable(target.path) + ": " + report::size_text(text.size()) + "\n");

@@ -2,6 +2,7 @@
 #include "pipeline/export_mesh.h"
 
 #include "core/error.h"
+#include "geometry/measures.h"
 #include "store/export_msh.h"
 #include "store/export_obj.h"
 #include "store/export_vtu.h"
@@ -10,18 +11,18 @@ namespace crumple::pipeline {
 
 namespace {
 
+Vec3f to_float(Vec3 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
+
 Bundle bundle_of_work(const TetMesh& mesh, const Asset* asset) {
     Bundle bundle;
-    for (const Vec3 p : mesh.positions) {
-        bundle.rest_positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-    }
+    for (const Vec3 p : mesh.positions) bundle.rest_positions.push_back(to_float(p));
     bundle.tets = mesh.tets;
-    bundle.mass.resize(mesh.positions.size(), 0);
     if (asset) bundle.locked = asset->shell.locked;
     bundle.locked.resize(mesh.positions.size(), 0);
-    bundle.volume.resize(mesh.tets.size(), 0);
-    bundle.stiffness_scale.resize(mesh.tets.size(), 1);
-    bundle.material.resize(mesh.tets.size(), 0);
+    for (const auto& [a, b, c, d] : mesh.tets) {
+        const auto& p = mesh.positions;
+        bundle.volume.push_back(static_cast<float>(signed_volume(p[a], p[b], p[c], p[d])));
+    }
     bundle.region = mesh.region;
     bundle.region.resize(mesh.tets.size(), 0);
     if (!asset || mesh.region.empty()) {
@@ -32,12 +33,24 @@ Bundle bundle_of_work(const TetMesh& mesh, const Asset* asset) {
     return bundle;
 }
 
+std::string export_shell(const Shell& shell) {
+    std::vector<Vec3f> positions;
+    for (const Vec3 p : shell.positions) positions.push_back(to_float(p));
+    return store::export_surface_obj(positions, shell.locked, shell.triangles);
+}
+
 }
 
 Bundle visible_bundle(const Workspace& workspace) {
     if (workspace.bundle) return *workspace.bundle;
     if (workspace.tets) return bundle_of_work(*workspace.tets, workspace.asset ? &*workspace.asset : nullptr);
-    throw Error(ErrorKind::bad_input, "there is no mesh yet; run crumple delaunay first");
+    throw Error(ErrorKind::usage, "there are no tets yet; run crumple delaunay first, or look at the shell with --obj");
+}
+
+std::string export_work(const Workspace& workspace, ExportFormat format) {
+    const bool has_tets = workspace.bundle || workspace.tets;
+    if (!has_tets && workspace.asset && format == ExportFormat::obj) return export_shell(workspace.asset->shell);
+    return export_mesh(visible_bundle(workspace), format);
 }
 
 std::string export_mesh(const Bundle& bundle, ExportFormat format) {

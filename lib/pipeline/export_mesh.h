@@ -14,10 +14,13 @@ inline constexpr EnumName<ExportFormat> export_format_names[] = {
 constexpr std::span<const EnumName<ExportFormat>> enum_names(ExportFormat) { return export_format_names; }
 
 // The bundle; where there is none, the tets and locks of the work so far in the form of one, without masses and matrix:
-// good for looking at, not valid. Throws Error(bad_input) when there is neither.
+// good for looking at, not valid. Throws Error(usage) when there is neither.
 [[nodiscard]] Bundle visible_bundle(const Workspace& workspace);
 
 // Same mesh, same bytes.
 [[nodiscard]] std::string export_mesh(const Bundle& bundle, ExportFormat format);
+
+// What the work has come to: the bundle, else the tets, else (OBJ only) the shell as imported, with its locks.
+[[nodiscard]] std::string export_work(const Workspace& workspace, ExportFormat format);
 
 }

@@ -52,13 +52,21 @@ cull::Report run_cull(Workspace& work, const cull::Params& params, const Context
     return std::move(result.report);
 }
 
+// The group of tets is there from delaunay on, what they are made of only after cull.
+void require_regions(const TetMesh& tets) {
+    if (tets.region.size() != tets.tets.size())
+        throw Error(ErrorKind::bad_input, "the tets do not say yet what they are made of; run crumple cull first");
+}
+
 bind::Report run_bind(Workspace& work, const bind::Params& params, const Context& context) {
+    require_regions(*work.tets);
     auto result = bind::bind_visuals(work.asset->shell, *work.tets, work.asset->visuals, params, context);
     work.bindings = std::move(result.bindings);
     return std::move(result.report);
 }
 
 bake::Report run_bake(Workspace& work, const bake::Params& params, const Context& context) {
+    require_regions(*work.tets);
     auto result = bake::bake_bundle(*work.asset, *work.tets, *work.bindings, params, context);
     work.bundle = std::move(result.bundle);
     return std::move(result.report);

@@ -11,8 +11,10 @@ void open_array(TextFile& out, const char* type, std::string_view name, int comp
         << "\" format=\"ascii\">\n";
 }
 
+// Work that is not baked yet has no masses; an array that is not there is left out rather than invented.
 template <class Values>
 void write_list(TextFile& out, const char* type, std::string_view name, const Values& values) {
+    if (values.empty()) return;
     open_array(out, type, name, 1);
     for (const auto value : values) out << +value << '\n';
     out << "</DataArray>\n";
