@@ -42,8 +42,8 @@ private:
     }
     [[nodiscard]] const Cell& pick_cell(double unit) const {
         const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), unit * up_to_.back());
-        return drawing_
-            .cells[std::min<std::size_t>(static_cast<std::size_t>(found - up_to_.begin()), up_to_.size() - 1)];
+        const auto number = static_cast<std::size_t>(found - up_to_.begin());
+        return drawing_.cells[std::min(number, up_to_.size() - 1)];
     }
     [[nodiscard]] bool is_allowed(const Cell& cell, Vec3 p, double away) const;
     [[nodiscard]] double vertex_gap(const Cell& cell, const Candidate& candidate, double away) const;
@@ -62,8 +62,8 @@ bool Source::is_allowed(const Cell& cell, Vec3 p, double away) const {
     if (is_watertight && !cell.is_fillable && away - cell.distance < least_gap) return false;
     const bool is_surely_far = cell.distance - away >= clearance_ * cell.largest_size(away);
     if (is_surely_far && is_watertight) return cell.is_fillable;
-    if (!is_surely_far && distance_at(drawing_.space, cell, p) < clearance_ * size_at(drawing_.space, cell, p))
-        return false;
+    const Space& space = drawing_.space;
+    if (!is_surely_far && distance_at(space, cell, p) < clearance_ * size_at(space, cell, p)) return false;
     return drawing_.space.is_fillable(p);
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double near_edge = 0.5;
 constexpr double far_reach = 0.7;
 // A shell with far too small edges somewhere gets coarser cells instead of taking all memory.
-constexpr std::size_t max_cells = 1'000'000;
-constexpr std::size_t max_listed = 50'000'000;  // vertices and triangles in the cells' lists together
+constexpr std::size_t max_cells = 1'500'000;
+constexpr std::size_t max_listed = 60'000'000;  // vertices and triangles in the cells' lists together
 constexpr int max_depth = 20;
 // Bounds derived from other places get a little slack, to keep rounding out of them.
 constexpr double slack = 1.000001;
@@ -45,8 +45,8 @@ private:
     using Values = std::vector<double>;
 
     void place(Cell& cell, Vec3 centre, double half) const;
-    void measure(Cell& cell, const Cell& parent, Values& sizes, Values& distances_2) const;
-    static void keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2);
+    void measure(Cell& cell, const Cell& parent, Values& sizes, Values& centre_distances_2) const;
+    void keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& centre_distances_2) const;
     [[nodiscard]] Fate judge(Cell& cell, bool may_split) const;
     [[nodiscard]] double estimate_share(const Cell& cell) const;
 
@@ -69,14 +69,14 @@ Cell Refinement::root() const {
     Cell cell;
     place(cell, (space_.box().low + space_.box().high) * 0.5, std::max({size.x, size.y, size.z}) * 0.5);
     Values sizes;
-    Values distances_2;
-    measure(cell, everything, sizes, distances_2);
+    Values centre_distances_2;
+    measure(cell, everything, sizes, centre_distances_2);
     cell.vertices = everything.vertices;
     cell.triangles = everything.triangles;
     return cell;
 }
 
-void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& distances_2) const {
+void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& centre_distances_2) const {
     sizes.clear();
     cell.size = infinity;
     for (const Index v : parent.vertices) {
@@ -86,33 +86,35 @@ void Refinement::measure(Cell& cell, const Cell& parent, Values& sizes, Values& 
             cell.sized_by = v;
         }
     }
-    distances_2.clear();
+    centre_distances_2.clear();
     cell.nearest = parent.nearest;
     double nearest_2 = parent.nearest == none ? infinity : space_.face(parent.nearest).distance_2(cell.centre);
-    // Beyond this a triangle is not the nearest one and does not stay in the list either.
-    double farthest = (std::sqrt(nearest_2) + 2 * cell.reach) * slack;
+    double nearest = std::sqrt(nearest_2);
     for (const Index t : parent.triangles) {
-        const bool is_far = space_.ball(t).is_surely_farther(cell.centre, farthest);
-        distances_2.push_back(is_far ? infinity : space_.face(t).distance_2(cell.centre));
-        if (distances_2.back() >= nearest_2) continue;
-        nearest_2 = distances_2.back();
+        centre_distances_2.push_back(space_.ball(t).centre_distance_2(cell.centre));
+        if (!space_.ball(t).may_reach(centre_distances_2.back(), nearest)) continue;
+        const double distance_2 = space_.face(t).distance_2(cell.centre);
+        if (distance_2 >= nearest_2) continue;
+        nearest_2 = distance_2;
+        nearest = std::sqrt(nearest_2);
         cell.nearest = t;
-        farthest = (std::sqrt(nearest_2) + 2 * cell.reach) * slack;
     }
-    cell.distance = std::sqrt(nearest_2);
+    cell.distance = nearest;
 }
 
 // Going `reach` away lets one vertex's term shrink and another's grow by 0.3 reach each, and likewise the
 // distances.
-void Refinement::keep_lists(Cell& cell, const Cell& parent, const Values& sizes, const Values& distances_2) {
+void Refinement::keep_lists(Cell& cell, const Cell& parent, const Values& sizes,
+                            const Values& centre_distances_2) const {
     const double largest_size = (cell.size + 2 * size_growth * cell.reach) * slack;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] <= largest_size) cell.vertices.push_back(parent.vertices[i]);
     }
     if (cell.is_clear) return;
     const double farthest = (cell.distance + 2 * cell.reach) * slack;
-    for (std::size_t i = 0; i < distances_2.size(); ++i) {
-        if (distances_2[i] <= farthest * farthest) cell.triangles.push_back(parent.triangles[i]);
+    for (std::size_t i = 0; i < centre_distances_2.size(); ++i) {
+        const Index t = parent.triangles[i];
+        if (space_.ball(t).may_reach(centre_distances_2[i], farthest)) cell.triangles.push_back(t);
     }
 }
 
@@ -142,15 +144,15 @@ Fate Refinement::judge(Cell& cell, bool may_split) const {
 Family Refinement::children_of(const Cell& parent, bool may_split) const {
     Family family;
     Values sizes;
-    Values distances_2;
+    Values centre_distances_2;
     for (int octant = 0; octant < 8; ++octant) {
         Cell& cell = family.cells[octant];
         const double half = parent.half / 2;
         const auto side = [&](int bit) { return octant & bit ? half : -half; };
         place(cell, parent.centre + Vec3{side(1), side(2), side(4)}, half);
-        measure(cell, parent, sizes, distances_2);
+        measure(cell, parent, sizes, centre_distances_2);
         family.fates[octant] = judge(cell, may_split);
-        if (family.fates[octant] != Fate::dropped) keep_lists(cell, parent, sizes, distances_2);
+        if (family.fates[octant] != Fate::dropped) keep_lists(cell, parent, sizes, centre_distances_2);
     }
     return family;
 }
@@ -165,7 +167,7 @@ std::vector<Cell> find_cells(const Space& space, double clearance, const Context
     std::size_t listed = 0;
     for (int depth = 1; !to_split.empty(); ++depth) {
         const bool may_split =
-            depth < max_depth && kept.size() + to_split.size() * 64 <= max_cells && listed <= max_listed;
+            depth < max_depth && kept.size() + to_split.size() * 32 <= max_cells && listed <= max_listed;
         std::vector<Family> families(to_split.size());
         parallel_for(context, to_split.size(), 32, [&](std::size_t begin, std::size_t end) {
             context.stop_if_cancelled();
@@ -190,9 +192,16 @@ double size_at(const Space& space, const Cell& cell, Vec3 p) {
 }
 
 double distance_at(const Space& space, const Cell& cell, Vec3 p) {
-    double distance_2 = infinity;
-    for (const Index t : cell.triangles) distance_2 = std::min(distance_2, space.face(t).distance_2(p));
-    return std::sqrt(distance_2);
+    double nearest_2 = space.face(cell.nearest).distance_2(p);
+    double nearest = std::sqrt(nearest_2);
+    for (const Index t : cell.triangles) {
+        if (!space.ball(t).may_reach(space.ball(t).centre_distance_2(p), nearest)) continue;
+        const double distance_2 = space.face(t).distance_2(p);
+        if (distance_2 >= nearest_2) continue;
+        nearest_2 = distance_2;
+        nearest = std::sqrt(nearest_2);
+    }
+    return nearest;
 }
 
 }

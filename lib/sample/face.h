@@ -13,11 +13,12 @@ namespace crumple::sample {
 struct FaceBall {
     FaceBall(Vec3 a, Vec3 b, Vec3 c);
 
-    // Never true when the triangle is nearer than `distance`.
-    [[nodiscard]] bool is_surely_farther(Vec3 p, double distance) const {
-        const Vec3 to = centre - p;
-        const double least = distance + radius;
-        return dot(to, to) > least * least;
+    [[nodiscard]] double centre_distance_2(Vec3 p) const { return dot(centre - p, centre - p); }
+
+    // Whether the triangle may be as near as `distance` to a place of that squared distance from the centre.
+    [[nodiscard]] bool may_reach(double distance_2_of_centre, double distance) const {
+        const double reach = distance + radius;
+        return distance_2_of_centre <= reach * reach;
     }
 
     Vec3 centre;

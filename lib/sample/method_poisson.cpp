@@ -68,6 +68,7 @@ private:
 }
 
 Chosen choose_poisson(Drawing drawing, std::uint64_t count, double free_size, const Context& context) {
+    if (count == 0) return {};
     const double start = first_spacing(free_size, count);
     drawing.density = Density::by_size;
     drawing.vertex_gap = vertex_repulsion * start;

@@ -51,6 +51,11 @@ double free_size_of(const std::vector<Cell>& cells) {
     return sum;
 }
 
+std::uint64_t automatic_count(double free_size) {
+    constexpr double more_than_anyone_wants = 1e15;  // and still a whole number
+    return static_cast<std::uint64_t>(std::llround(std::min(free_size / volume_a_point, more_than_anyone_wants)));
+}
+
 void measure_space(Report& report, const std::vector<Cell>& cells) {
     for (const Cell& cell : cells) {
         if (cell.share == 0) continue;
@@ -84,18 +89,18 @@ std::uint64_t wanted_points(const Count& count, std::uint64_t shell_vertices, Re
     return limited(points, report);
 }
 
-void judge_outcome(Report& report, const Space& space) {
+void judge_outcome(Report& report, CountKind kind, const Space& space) {
     if (!space.is_watertight()) {
         add_finding(
-            report, "SAMPLE_OPEN_SHELL", Severity::warning,
+            report, "SAMPLE_OPEN_SHELL", Severity::info,
             "the shell is open or wound inconsistently, so what counts as inside is a matter of degree near its gaps");
     }
     if (report.points >= report.wanted && report.wanted > 0) return;
     if (report.wanted > 0) {
-        add_finding(report, "SAMPLE_FEWER_POINTS", Severity::warning,
+        const Severity severity = kind == CountKind::automatic ? Severity::info : Severity::warning;
+        add_finding(report, "SAMPLE_FEWER_POINTS", severity,
                     std::to_string(report.points) + " of " + std::to_string(report.wanted) +
-                        " points found room; the space far enough from the shell is too small. Ask for fewer, or lower "
-                        "sample.clearance");
+                        " points found room far enough from the shell; a lower sample.clearance makes more");
     } else if (report.automatic_count == 0) {
         add_finding(
             report, "SAMPLE_NO_INTERIOR", Severity::info,
@@ -125,7 +130,7 @@ Result sample_interior(const Shell& shell, const Params& params, const Context& 
     const std::vector<Cell> cells = find_cells(space, params.clearance, context);
     measure_space(report, cells);
     const double free_size = free_size_of(cells);
-    report.automatic_count = static_cast<std::uint64_t>(std::llround(free_size / volume_a_point));
+    report.automatic_count = automatic_count(free_size);
     report.wanted = wanted_points(count, report.shell_vertices, report);
 
     context.tell_progress("sample: place points", 0.3);
@@ -137,7 +142,7 @@ Result sample_interior(const Shell& shell, const Params& params, const Context& 
     report.tries = chosen.tries;
     report.spacing = chosen.spacing;
     report.expected_tets = expected_tets(report.shell_vertices, report.points);
-    judge_outcome(report, space);
+    judge_outcome(report, count.kind, space);
     return result;
 }
 
