@@ -98,7 +98,9 @@ void Reader::read_object(const Json& json, Described value, const std::string& p
     const auto* object = json.get_if<Json::Object>();
     if (!object) fail_type(json, path, "an object");
     const std::vector<Field> fields = value.fields();
-    for (const auto& [key, child] : *object) {
+    for (const auto& member : *object) {
+        const std::string& key = member.first;
+        const Json& child = member.second;
         if (path.empty() && key == "$schema" && child.get_if<std::string>()) continue;
         const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
         if (field == fields.end()) fail_name(path, key, names_of(fields), true);
