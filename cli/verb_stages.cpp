@@ -65,13 +65,24 @@ Workspace load_input(const Stage& stage, const StageFlags& flags) {
     return work;
 }
 
+// A stage alone is run to see what it does: its report is told without -v.
+pipeline::Observer observer_of(const Console& console) {
+    pipeline::Observer observer = console.observer();
+    if (console.is_verbose) return observer;
+    observer.end = [&console, end = observer.end](const Stage& stage, const auto& run, report::Described stage_report) {
+        if (end) end(stage, run, stage_report);
+        console.talk(report::report_text(stage_report));
+    };
+    return observer;
+}
+
 int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& console) {
     const Recipe recipe = recipe_of(stage, flags);
     pipeline::check_output_path(flags.output.path, inputs_of(flags));
     Workspace work = load_input(stage, flags);
     const auto& params = recipe.params[pipeline::stage_index(stage.name)];
     const pipeline::StageRun run =
-        pipeline::run_stage(stage, params, work, thread_count(flags.output), console.observer());
+        pipeline::run_stage(stage, params, work, thread_count(flags.output), observer_of(console));
     const bool is_changed =
         pipeline::write_if_changed(flags.output.path, pipeline::work_image(work, {true, flags.output.layout}));
     if (flags.output.format == Format::json) console.result(report::write_json(report::Described::of(run)));

@@ -93,6 +93,18 @@ class Chain(program.Case):
             self.fails(self.stage("sample", self.output, source=path), 3, "other.hdf")
         self.fails(self.stage("sample", self.output, source=self.path("none.hdf")), 2, "none.hdf")
 
+    def test_a_stage_alone_tells_its_report(self):
+        process = self.ok(self.stage("import", self.output))
+        self.assertRegex(process.stderr, r"locked +[1-9]")
+        self.assertEqual(process.stdout, "")
+
+    def test_the_exported_shell_has_its_locks(self):
+        start = self.chain(last="import")
+        self.ok(program.run("export", start, "--obj", self.path("look.obj")))
+        again = self.json_of(program.run("import", "--shell", self.path("look.obj"), "-o", self.output, "--format", "json", "-q"))
+        first = self.json_of(program.run("import", "--shell", self.shell, "-o", self.output, "--format", "json", "-q"))
+        self.assertEqual(again["report"]["locked"], first["report"]["locked"])
+
     def test_the_report_goes_to_stdout_as_json(self):
         start = self.chain(last="import")
         run = self.json_of(program.run("sample", start, "-o", self.output, "--format", "json", "-q"))
