@@ -13,10 +13,6 @@ namespace {
 
 using Symmetric3 = std::array<std::array<double, 3>, 3>;
 
-constexpr double poisson = 0.3;
-constexpr double lame_mu = 1 / (2 * (1 + poisson));
-constexpr double lame_lambda = poisson / ((1 + poisson) * (1 - 2 * poisson));
-
 // Zeroes m[p][q] by a rotation [Golub and Van Loan, Matrix Computations, section 8.5].
 void rotate(Symmetric3& m, int p, int q) {
     if (m[p][q] == 0) return;

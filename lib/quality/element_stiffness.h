@@ -5,6 +5,10 @@
 
 namespace crumple::quality {
 
+inline constexpr double poisson = 0.3;
+inline constexpr double lame_mu = 1 / (2 * (1 + poisson));
+inline constexpr double lame_lambda = poisson / ((1 + poisson) * (1 - 2 * poisson));
+
 // Of isotropic linear elasticity with Young's modulus 1 and Poisson's ratio 0.3.
 struct ElementStiffness {
     double largest = 0;  // eigenvalue of the 12 x 12 stiffness matrix, metres

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "quality/worst_tets.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -8,15 +10,12 @@
 
 namespace crumple::quality {
 
-namespace {
-
 Vec3 centre_of(std::span<const Vec3> positions, const Tet& tet) {
     return (positions[tet[0]] + positions[tet[1]] + positions[tet[2]] + positions[tet[3]]) * 0.25;
 }
 
-// The tets of least value, ties by place.
 std::vector<Index> least_tets(std::span<const Vec3> positions, std::span<const Tet> tets,
-                              const std::vector<double>& values, std::size_t count) {
+                              std::span<const double> values, std::size_t count) {
     std::vector<Index> order(tets.size());
     std::iota(order.begin(), order.end(), Index{0});
     count = std::min(count, order.size());
@@ -30,6 +29,8 @@ std::vector<Index> least_tets(std::span<const Vec3> positions, std::span<const T
     order.resize(count);
     return order;
 }
+
+namespace {
 
 template <class Measure>
 std::vector<Place> places_of_least(std::span<const Vec3> positions, std::span<const Tet> tets, std::size_t count,

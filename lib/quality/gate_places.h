@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tells an artist where something is: what it measures, in which component, of which material, by which painted vertex.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/finding.h"
+#include "mesh/tet_mesh.h"
+#include "quality/gates.h"
+
+namespace crumple::quality {
+
+// By which measure tets are bad.
+enum class Badness { flattest, widest, least_volume, least_radius, least_step, stiffest };
+
+class PlaceTeller {
+public:
+    PlaceTeller(const TetMesh& mesh, const Surface& surface, const PlaceNames& names)
+        : mesh_(mesh), surface_(surface), names_(names) {}
+
+    // The worst tets, worst first, at most max_places; those with `skipped` as their limit are left out.
+    struct Worst {
+        std::vector<Place> places;
+        Limit limit = Limit::none;  // of the first one
+    };
+    [[nodiscard]] Worst worst(Badness badness, Limit skipped = Limit::none) const;
+
+    [[nodiscard]] Place at_tet(Index tet, const std::string& figure) const;
+    [[nodiscard]] Place at_node(Index node) const;
+    // A place of its own, told by the tet nearest to it.
+    [[nodiscard]] Place at(Vec3 position, const std::string& figure) const;
+
+private:
+    [[nodiscard]] std::string tell(Vec3 position, Index tet, const std::string& figure) const;
+
+    const TetMesh& mesh_;
+    Surface surface_;
+    const PlaceNames& names_;
+};
+
+}

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "quality/gates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <functional>
+
+#include "mesh/boundary.h"
+#include "quality/gate_places.h"
+
+namespace crumple::quality {
+
+namespace {
+
+constexpr const char* forced_thin =
+    "the shell is too thin there for its edges: thicken it, or cut its triangles finer until an edge is no longer than "
+    "five times the thickness";
+constexpr const char* forced_needle =
+    "a triangle of the shell has such a corner itself: collapse its short edge or turn its long one in the modeller";
+constexpr const char* our_failure =
+    "the shell does not force it: try finish.mode full, more interior points (sample.count) or more relax sweeps";
+constexpr const char* stiff_remedy =
+    "short edges and flat tets set the step: merge the shell's vertices that lie close together there";
+
+enum class Wanted { high, low };
+
+// How a figure stands to its gate.
+bool is_beyond(double value, double limit, Wanted wanted) {
+    return wanted == Wanted::high ? value < limit : value > limit;
+}
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+    char text[512];
+    std::va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(text, sizeof text, pattern, arguments);
+    va_end(arguments);
+    return text;
+}
+
+// Collects the gates that are not met.
+class Judgement {
+public:
+    // Calls `tell` for remedy and places only when the gate is not met; `what` names the figure.
+    struct Told {
+        std::string remedy;
+        std::vector<Place> places;
+        std::uint64_t count = 1;
+    };
+    void ask(const char* code, const std::string& what, double value, const Gate& gate, Wanted wanted,
+             const std::function<Told()>& tell) {
+        const bool fails = is_beyond(value, gate.fail, wanted);
+        if (!fails && !is_beyond(value, gate.warn, wanted)) return;
+        Told told = tell();
+        const double limit = fails ? gate.fail : gate.warn;
+        findings.push_back(
+            {code, fails ? Severity::error : Severity::warning,
+             what + format(" is %.4g, %s %.4g; ", value, wanted == Wanted::high ? "below" : "above", limit) +
+                 told.remedy,
+             told.count, std::move(told.places)});
+    }
+
+    std::vector<Finding> findings;
+};
+
+const char* remedy_for(Limit limit) {
+    switch (limit) {
+        case Limit::none:
+            return our_failure;
+        case Limit::thin:
+            return forced_thin;
+        case Limit::needle:
+            return forced_needle;
+    }
+    return our_failure;
+}
+
+struct Case {
+    const Figures& figures;
+    const TetMesh& mesh;
+    const GateParams& gates;
+    const PlaceTeller& teller;
+    const EmbeddingResult* embedding;
+};
+
+Judgement::Told worst_shapes(const Case& of, Badness badness) {
+    PlaceTeller::Worst worst = of.teller.worst(badness);
+    return {remedy_for(worst.limit), std::move(worst.places)};
+}
+
+void judge_inverted(Judgement& judgement, const Case& of) {
+    if (of.figures.shape.inverted == 0) return;
+    judgement.findings.push_back(
+        {"GATE_INVERTED", Severity::error,
+         "tets without volume or turned inside out: no solver can use this mesh; cook it again "
+         "with finish.mode none and report it",
+         of.figures.shape.inverted, of.teller.worst(Badness::flattest).places});
+}
+
+void judge_share_below_10(Judgement& judgement, const Case& of) {
+    const Figures& f = of.figures;
+    const double counted = static_cast<double>(f.shape.below_10_deg) - static_cast<double>(f.below_10_thin);
+    const auto tell = [&]() -> Judgement::Told {
+        const auto free = static_cast<unsigned long long>(f.shape.below_10_deg - f.below_10_thin - f.below_10_needle);
+        const std::string split = format(
+            "%llu more where the shell is thin are not counted, %llu lie on needles of the shell, %llu are not "
+            "forced by it: ",
+            static_cast<unsigned long long>(f.below_10_thin), static_cast<unsigned long long>(f.below_10_needle), free);
+        return {split + (f.below_10_needle > free ? forced_needle : our_failure),
+                of.teller.worst(Badness::flattest, Limit::thin).places, static_cast<std::uint64_t>(counted)};
+    };
+    judgement.ask("GATE_BELOW_10_DEG", "the share of tets with an angle below 10 degrees", counted / f.shape.tets,
+                  of.gates.below_10_share, Wanted::low, tell);
+}
+
+void judge_shapes(Judgement& judgement, const Case& of) {
+    const Summary& s = of.figures.shape;
+    const auto shape = [&](const char* code, const char* what, double value, const Gate& gate, Wanted wanted,
+                           Badness badness) {
+        judgement.ask(code, what, value, gate, wanted, [&] { return worst_shapes(of, badness); });
+    };
+    shape("GATE_MIN_DIHEDRAL", "the smallest dihedral angle (degrees)", s.min_dihedral_deg, of.gates.min_dihedral_deg,
+          Wanted::high, Badness::flattest);
+    shape("GATE_MAX_DIHEDRAL", "the largest dihedral angle (degrees)", s.max_dihedral_deg, of.gates.max_dihedral_deg,
+          Wanted::low, Badness::widest);
+    judge_share_below_10(judgement, of);
+    shape("GATE_P5_DIHEDRAL", "the 5th percentile of the tets' smallest angles (degrees)", s.p5_dihedral_deg,
+          of.gates.p5_dihedral_deg, Wanted::high, Badness::flattest);
+    shape("GATE_FLAT_TET", "the least volume / (mean edge)^3, 1 for a regular tet,", s.volume_lrms3_min,
+          of.gates.volume_lrms3, Wanted::high, Badness::least_volume);
+    shape("GATE_RADIUS_RATIO", "the least radius ratio, 1 for a regular tet,", s.radius_ratio_min,
+          of.gates.radius_ratio, Wanted::high, Badness::least_radius);
+}
+
+void judge_cost(Judgement& judgement, const Case& of) {
+    const auto stiff = [&](Badness badness) {
+        return [&of, badness]() -> Judgement::Told { return {stiff_remedy, of.teller.worst(badness).places}; };
+    };
+    if (of.figures.shape.inverted == 0) {
+        judgement.ask("GATE_DT_RATIO", "the largest stable step over that of regular tets", of.figures.cost.dt_ratio,
+                      of.gates.dt_ratio, Wanted::high, stiff(Badness::least_step));
+    }
+    judgement.ask("GATE_STIFFNESS_RATIO", "the stiffest element over the median one", of.figures.shape.stiffness_ratio,
+                  of.gates.stiffness_ratio, Wanted::low, stiff(Badness::stiffest));
+}
+
+void judge_fidelity(Judgement& judgement, const Case& of) {
+    const Fidelity& f = of.figures.fidelity;
+    if (!f.is_known) return;
+    const auto out = [&] { return of.teller.at(f.farthest_out, "the tets' surface is farthest from the shell"); };
+    const auto in = [&] { return of.teller.at(f.farthest_in, "the shell is farthest from the tets"); };
+    judgement.ask("GATE_VOLUME",
+                  f.volume_error < 0 ? "the share of the shell's volume that is lost"
+                                     : "the share of the shell's volume that is gained",
+                  std::fabs(f.volume_error), of.gates.volume_error, Wanted::low, [&]() -> Judgement::Told {
+                      return {
+                          "faces of the shell are not faces of the tets: cut it finer where it is thin, and keep "
+                          "recover and finish on",
+                          {f.hausdorff_in > f.hausdorff_out ? in() : out()}};
+                  });
+    judgement.ask("GATE_LEAK", "the volume share where an open shell leaves open what is inside", f.leak_share,
+                  of.gates.leak_share, Wanted::low, [&]() -> Judgement::Told {
+                      return {"close its holes, or give a sheet a thickness", {}};
+                  });
+    if (!f.is_closed) return;
+    judgement.ask("GATE_HAUSDORFF_OUT", "how far the tets' surface strays from the shell, in box diagonals,",
+                  f.hausdorff_out, of.gates.hausdorff, Wanted::low, [&]() -> Judgement::Told {
+                      return {"the tets bridge a hollow of the shell there: cut its triangles finer", {out()}};
+                  });
+    judgement.ask("GATE_HAUSDORFF_IN", "how far the shell strays from the tets, in box diagonals,", f.hausdorff_in,
+                  of.gates.hausdorff, Wanted::low, [&]() -> Judgement::Told {
+                      return {"the tets miss a part of the shell there: it is thin or its triangles are long", {in()}};
+                  });
+}
+
+std::vector<Place> non_manifold_places(const Case& of) {
+    const NonManifold found = non_manifold(boundary_of(of.mesh).faces);
+    std::vector<Place> places;
+    for (const Index v : found.vertices) {
+        if (places.size() < max_places) places.push_back(of.teller.at_node(v));
+    }
+    return places;
+}
+
+// Every piece but the largest, smallest first.
+std::vector<Place> piece_places(const Case& of) {
+    const std::vector<Index> piece = pieces_of(of.mesh);
+    struct Piece {
+        Index tets = 0;
+        Index first = none;
+    };
+    std::vector<Piece> pieces(of.figures.topology.pieces);
+    for (Index t = 0; t < piece.size(); ++t) {
+        Piece& p = pieces[piece[t]];
+        if (p.tets++ == 0) p.first = t;
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.tets < b.tets; });
+    std::vector<Place> places;
+    for (std::size_t i = 0; i + 1 < pieces.size() && i < max_places; ++i) {
+        places.push_back(of.teller.at_tet(pieces[i].first, format("a piece of %u tets", pieces[i].tets)));
+    }
+    return places;
+}
+
+void judge_topology(Judgement& judgement, const Case& of) {
+    const Topology& t = of.figures.topology;
+    const auto count = std::max(t.non_manifold_edges, t.non_manifold_vertices);
+    judgement.ask("GATE_NON_MANIFOLD", "the number of places where the surface touches itself",
+                  static_cast<double>(count), of.gates.non_manifold, Wanted::low, [&]() -> Judgement::Told {
+                      return {
+                          "forces pass there through an edge or a point alone: move the shell's sheets apart, or "
+                          "join them over a whole face",
+                          non_manifold_places(of), count};
+                  });
+    if (t.shell_pieces == 0 || t.pieces <= t.shell_pieces) return;
+    const auto extra = t.pieces - t.shell_pieces;
+    judgement.ask(
+        "GATE_PIECES", "the number of pieces of tets more than the shell has", static_cast<double>(extra),
+        of.gates.extra_pieces, Wanted::low, [&]() -> Judgement::Told {
+            return {"they would fall apart: the shell is too thin or too coarse between them", piece_places(of), extra};
+        });
+}
+
+void judge_embedding(Judgement& judgement, const Case& of) {
+    const Embedding& e = of.figures.embedding;
+    if (e.vertices == 0) return;
+    const auto weights = of.embedding ? of.embedding->weight_places : std::vector<Place>{};
+    const auto wrong = of.embedding ? of.embedding->wrong_places : std::vector<Place>{};
+    judgement.ask("GATE_OUTSIDE", "the share of visual vertices outside the tets",
+                  static_cast<double>(e.outside) / static_cast<double>(e.vertices), of.gates.outside_share, Wanted::low,
+                  [&]() -> Judgement::Told {
+                      return {"let the shell enclose the visual meshes there", weights, e.outside};
+                  });
+    judgement.ask(
+        "GATE_MAX_WEIGHT", "the largest weight of a visual vertex", e.max_weight, of.gates.max_weight, Wanted::low,
+        [&]() -> Judgement::Told {
+            return {"it exaggerates what its tet does: let the shell enclose it, or use coarser tets there", weights};
+        });
+    judgement.ask(
+        "GATE_BOUND_WRONGLY", "the number of visual vertices on a tet of another shell",
+        static_cast<double>(e.bound_wrongly), of.gates.bound_wrongly, Wanted::low, [&]() -> Judgement::Told {
+            return {"name the shell component a visual mesh belongs to in the recipe", wrong, e.bound_wrongly};
+        });
+}
+
+}
+
+std::vector<Finding> judge(const Figures& figures, const TetMesh& mesh, const Shell* shell, const GateParams& params,
+                           const PlaceNames& names, const EmbeddingResult* embedding) {
+    Judgement judgement;
+    if (figures.shape.tets == 0) return {};
+    const std::vector<Triangle> faces = shell ? std::vector<Triangle>{} : boundary_of(mesh).faces;
+    const Surface surface = shell ? Surface{shell->positions, shell->triangles} : Surface{mesh.positions, faces};
+    const PlaceTeller teller(mesh, surface, names);
+    const Case of{figures, mesh, params, teller, embedding};
+    judge_inverted(judgement, of);
+    judge_shapes(judgement, of);
+    judge_cost(judgement, of);
+    judge_fidelity(judgement, of);
+    judge_topology(judgement, of);
+    judge_embedding(judgement, of);
+    return std::move(judgement.findings);
+}
+
+Baseline baseline_of(const Figures& figures) {
+    return {figures.shape.tets, figures.shape.volume, figures.cost.pcg_soft, figures.cost.pcg_stiff};
+}
+
+std::vector<Finding> judge_against(const Baseline& baseline, const Figures& figures, const GateParams& params) {
+    Judgement judgement;
+    const auto growth = [&](const char* code, const char* what, double now, double before, const Gate& gate) {
+        if (!(before > 0)) return;
+        judgement.ask(code, format("%s, now %.4g, over the baseline's %.4g,", what, now, before), now / before, gate,
+                      Wanted::low, []() -> Judgement::Told {
+                          return {"if that is wanted, run crumple check --update-baseline", {}};
+                      });
+    };
+    growth("GATE_PCG_SOFT", "iterations of the soft standard step", figures.cost.pcg_soft, baseline.pcg_soft,
+           params.pcg_growth);
+    growth("GATE_PCG_STIFF", "iterations of the stiff standard step", figures.cost.pcg_stiff, baseline.pcg_stiff,
+           params.pcg_growth);
+    growth("GATE_TETS", "tets", figures.shape.tets, static_cast<double>(baseline.tets), params.tets_growth);
+    if (!(baseline.volume > 0)) return std::move(judgement.findings);
+    const double change = std::fabs(figures.shape.volume - baseline.volume) / baseline.volume;
+    judgement.ask("GATE_VOLUME_CHANGED", "the change of the volume since the baseline", change, params.volume_change,
+                  Wanted::low, []() -> Judgement::Told {
+                      return {"if that is wanted, run crumple check --update-baseline", {}};
+                  });
+    return std::move(judgement.findings);
+}
+
+}

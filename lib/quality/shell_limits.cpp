@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "quality/shell_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel_for.h"
+#include "geometry/measures.h"
+#include "geometry/surface_distance.h"
+#include "quality/tet_measures.h"
+
+namespace crumple::quality {
+
+namespace {
+
+constexpr double limit_deg = 10;
+constexpr double reached = 0.9;         // of what thinness allows
+constexpr double needle_reached = 0.5;  // of the needle's corner: a tet's angle over it is often half of it
+
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
+
+// Which triangles use a node, as one list and where each node's part starts.
+struct Fans {
+    std::vector<Index> start;
+    std::vector<Index> triangle;
+
+    Fans(std::size_t node_count, std::span<const Triangle> triangles) : start(node_count + 1, 0) {
+        for (const Triangle& corners : triangles) {
+            for (const Index v : corners) ++start[v + 1];
+        }
+        for (std::size_t v = 0; v < node_count; ++v) start[v + 1] += start[v];
+        triangle.resize(start.back());
+        std::vector<Index> end(start.begin(), start.end() - 1);
+        for (Index f = 0; f < triangles.size(); ++f) {
+            for (const Index v : triangles[f]) triangle[end[v]++] = f;
+        }
+    }
+
+    [[nodiscard]] std::span<const Index> around(Index v) const {
+        if (v + 1 >= start.size()) return {};
+        return {triangle.data() + start[v], triangle.data() + start[v + 1]};
+    }
+};
+
+class Places {
+public:
+    Places(const Surface& surface)
+        : surface_(surface),
+          distance_(surface.positions, surface.triangles),
+          fans_(surface.positions.size(), surface.triangles),
+          diagonal_(bounding_box(surface.positions).diagonal()) {}
+
+    // atan(t / e) around the corners of a tet, degrees; a right angle where there is no surface.
+    [[nodiscard]] double thin_limit_deg(const Tet& tet) const {
+        double area = 0;
+        double thickness = 0;
+        double edge = 0;
+        for (const Index v : tet) {
+            for (const Index f : fans_.around(v)) {
+                const std::array<Vec3, 3> at = corners(f);
+                const double weight = length(area_vector(at[0], at[1], at[2]));
+                area += weight;
+                thickness += weight * thickness_at(f);
+                edge += weight * (length(at[1] - at[0]) + length(at[2] - at[1]) + length(at[0] - at[2])) / 3;
+            }
+        }
+        return area > 0 ? degrees(std::atan2(thickness, edge)) : 90;
+    }
+
+    // The least corner of the surface triangles among a tet's faces, degrees; 90 when there is none.
+    [[nodiscard]] double needle_deg(const Tet& tet) const {
+        double least = 90;
+        for (const auto& face : tet_face_corners) {
+            const Index v = tet[face[0]];
+            for (const Index f : fans_.around(v)) {
+                if (is_same(surface_.triangles[f], {v, tet[face[1]], tet[face[2]]})) {
+                    least = std::min(least, least_corner_deg(corners(f)));
+                }
+            }
+        }
+        return least;
+    }
+
+private:
+    [[nodiscard]] std::array<Vec3, 3> corners(Index f) const {
+        const auto& [a, b, c] = surface_.triangles[f];
+        return {surface_.positions[a], surface_.positions[b], surface_.positions[c]};
+    }
+
+    static bool is_same(Triangle a, Triangle b) {
+        std::sort(a.begin(), a.end());
+        std::sort(b.begin(), b.end());
+        return a == b;
+    }
+
+    static double least_corner_deg(const std::array<Vec3, 3>& at) {
+        double least = 90;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 u = at[(i + 1) % 3] - at[i];
+            const Vec3 v = at[(i + 2) % 3] - at[i];
+            least = std::min(least, degrees(std::atan2(length(cross(u, v)), dot(u, v))));
+        }
+        return least;
+    }
+
+    // The shrinking ball [Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the
+    // normal field"]: one that touches p from inside is made smaller until nothing of the surface lies within.
+    [[nodiscard]] double thickness_at(Index f) const {
+        const std::array<Vec3, 3> at = corners(f);
+        const Vec3 normal = area_vector(at[0], at[1], at[2]);
+        const double size = length(normal);
+        if (!(size > 0)) return 0;
+        const Vec3 p = (at[0] + at[1] + at[2]) / 3;
+        const Vec3 inwards = normal * (-1 / size);
+        double radius = diagonal_;
+        for (int round = 0; round < 30; ++round) {
+            const Vec3 centre = p + inwards * radius;
+            const auto closest = distance_.closest(centre, f);
+            const Vec3 away = closest.point - p;
+            const double along = dot(away, inwards);
+            if (!(closest.distance < radius * (1 - 1e-3)) || !(along > 0)) break;
+            radius = dot(away, away) / (2 * along);
+        }
+        return 2 * radius;
+    }
+
+    Surface surface_;
+    SurfaceDistance distance_;
+    Fans fans_;
+    double diagonal_;
+};
+
+Limit judge(const Places& places, const Tet& tet, double angle_deg) {
+    const double thin = places.thin_limit_deg(tet);
+    if (reached * thin < limit_deg && angle_deg >= reached * thin) return Limit::thin;
+    const double needle = places.needle_deg(tet);
+    if (needle < limit_deg && angle_deg >= needle_reached * needle) return Limit::needle;
+    return Limit::none;
+}
+
+}
+
+std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> positions, std::span<const Tet> tets,
+                               const Context& context) {
+    std::vector<Limit> limits(tets.size(), Limit::none);
+    std::vector<Index> bad;
+    std::vector<AngleKey> angle;
+    for (Index t = 0; t < tets.size(); ++t) {
+        const auto& [a, b, c, d] = tets[t];
+        const AngleKey key = min_dihedral(positions[a], positions[b], positions[c], positions[d]);
+        if (!(key < key_of_10_deg) || !(key > key_of_0_deg)) continue;
+        bad.push_back(t);
+        angle.push_back(key);
+    }
+    if (bad.empty() || surface.triangles.empty()) return limits;
+    const Places places(surface);
+    parallel_for(context, bad.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) limits[bad[i]] = judge(places, tets[bad[i]], degrees_of(angle[i]));
+    });
+    return limits;
+}
+
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which bad corners the shell itself forces: what the artist would have to remodel, told apart from what we failed at.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/context.h"
+#include "core/fields.h"
+#include "core/index.h"
+#include "core/vec3.h"
+
+namespace crumple::quality {
+
+enum class Limit : std::uint8_t {
+    none,
+    thin,    // t thick and e long, a place allows no angle above atan(t / e), and the tet reaches 0.9 of that
+    needle,  // a face is a surface triangle of a yet smaller corner
+};
+inline constexpr EnumName<Limit> limit_names[] = {
+    {Limit::none, "none"}, {Limit::thin, "thin"}, {Limit::needle, "needle"}};
+constexpr std::span<const EnumName<Limit>> enum_names(Limit) { return limit_names; }
+
+// A closed surface over nodes of the mesh: the shell's, or the tets' own.
+struct Surface {
+    std::span<const Vec3> positions;
+    std::span<const Triangle> triangles;
+};
+
+// T: why a tet is below 10 degrees; none for one that is not, or without excuse. t is the diameter of the largest ball
+// inside that touches the middle of a triangle, its mean over the triangles around the tet's corners, e the mean edge
+// there.
+[[nodiscard]] std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> positions,
+                                             std::span<const Tet> tets, const Context& context = {});
+
+}
