@@ -45,7 +45,10 @@ public:
             return false;
         });
         if (near.empty()) return false;
-        return named != none || std::find(near.begin(), near.end(), interior_->material_at(p)) != near.end();
+        if (named != none) return true;
+        // On a surface either side may have it.
+        return !interior_->is_on_surface(p) &&
+               std::find(near.begin(), near.end(), interior_->material_at(p)) != near.end();
     }
 
 private:

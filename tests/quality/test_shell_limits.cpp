@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "quality/shell_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/measures.h"
+#include "mesh/boundary.h"
+#include "mesh/neighbours.h"
+#include "mesh/shapes.h"
+#include "quality/tet_measures.h"
+
+using namespace crumple;
+using namespace crumple::quality;
+
+namespace {
+
+std::vector<Limit> limits_of(const TetMesh& mesh) {
+    const std::vector<Triangle> faces = boundary_of(mesh).faces;
+    return find_limits({mesh.positions, faces}, mesh.positions, mesh.tets);
+}
+
+double least_angle(const TetMesh& mesh) {
+    double least = 180;
+    for (const auto& [a, b, c, d] : mesh.tets) {
+        least = std::min(least, degrees_of(min_dihedral(mesh.positions[a], mesh.positions[b], mesh.positions[c],
+                                                        mesh.positions[d])));
+    }
+    return least;
+}
+
+// A layer of cells, side x thickness x side each.
+TetMesh layer(int cells, double side, double thickness) {
+    TetMesh mesh = shapes::tet_grid(cells, {0, 0, 0}, {side * cells, side * cells, side * cells});
+    std::erase_if(mesh.tets, [&](const Tet& tet) {
+        for (const Index v : tet) {
+            if (mesh.positions[v].y > 1.5 * side) return true;
+        }
+        return false;
+    });
+    for (Vec3& p : mesh.positions) p.y *= thickness / side;
+    mesh.neighbours = neighbours_of(mesh.tets);
+    return mesh;
+}
+
+TEST(ShellLimits, NoTetsHaveNone) { EXPECT_TRUE(limits_of(TetMesh{}).empty()); }
+
+TEST(ShellLimits, GoodTetsNeedNoExcuse) {
+    const TetMesh mesh = shapes::tet_grid(3);
+    EXPECT_EQ(limits_of(mesh), std::vector<Limit>(mesh.tets.size(), Limit::none));
+}
+
+TEST(ShellLimits, ASheetThinForItsEdgesExcusesTheTetsThatReachWhatItAllows) {
+    const double thickness = 0.1;
+    const TetMesh mesh = layer(8, 1, thickness);
+    ASSERT_LT(least_angle(mesh), 10);
+    const std::vector<Limit> limits = limits_of(mesh);
+    for (std::size_t t = 0; t < limits.size(); ++t) {
+        const auto& [a, b, c, d] = mesh.tets[t];
+        const double angle =
+            degrees_of(min_dihedral(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[d]));
+        EXPECT_EQ(limits[t], angle < 10 ? Limit::thin : Limit::none) << angle;
+    }
+}
+
+TEST(ShellLimits, ASliverInAThinSheetHasNoExcuseWhenTheSheetAllowsBetter) {
+    TetMesh mesh = layer(8, 1, 0.1);
+    const std::vector<Triangle> faces = boundary_of(mesh).faces;
+    const std::vector<Vec3> sound = mesh.positions;
+    const auto [a, b, c, d] = mesh.tets[mesh.tets.size() / 2];
+    const Vec3 normal = area_vector(sound[a], sound[b], sound[c]);
+    const double height = dot(sound[d] - sound[a], normal) / dot(normal, normal);
+    mesh.positions[d] -= normal * (0.9 * height);
+    const std::vector<Limit> limits = find_limits({sound, faces}, mesh.positions, mesh.tets);
+    EXPECT_EQ(limits[mesh.tets.size() / 2], Limit::none);
+}
+
+TEST(ShellLimits, ATetOnANeedleOfTheShellIsNamedSo) {
+    TetMesh mesh;
+    const double width = std::tan(4 * std::numbers::pi / 180);
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0.7, 0, 0.7}};
+    mesh.tets = {{0, 1, 2, 3}};
+    mesh.neighbours = {{none, none, none, none}};
+    ASSERT_LT(least_angle(mesh), 10);
+    EXPECT_NE(limits_of(mesh)[0], Limit::none);
+    // As part of a thick shell it is the needle alone.
+    const Shell box = shapes::box({-2, -2, 0}, {2, 2, 4});
+    std::vector<Vec3> positions = mesh.positions;
+    std::vector<Triangle> triangles{{0, 2, 1}};
+    for (const Vec3 p : box.positions) positions.push_back(p);
+    for (const Triangle& t : box.triangles) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::needle);
+}
+
+TEST(ShellLimits, ASliverOnAThickShellHasNoExcuse) {
+    TetMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.01}};
+    mesh.tets = {{0, 1, 2, 3}};
+    Shell box = shapes::subdivided_box(4, {-1.5, -1.5, -4}, {1.5, 1.5, 0});
+    std::vector<Vec3> positions = mesh.positions;
+    std::vector<Triangle> triangles;
+    for (const Vec3 p : box.positions) positions.push_back(p);
+    for (const Triangle& t : box.triangles) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    triangles.push_back({0, 1, 2});
+    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::none);
+}
+
+}
