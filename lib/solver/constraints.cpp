@@ -91,15 +91,10 @@ ConstraintCounts gather_constraints(const Model& model, Workspace& w, const Step
         w.constraint[c.node] = static_cast<Index>(i + 1);
         w.is_fixed[c.node] = c.kind == ConstraintKind::fixed;
     }
-    for (std::size_t i = 0; i < input.constraints.size(); ++i) {
-        const Constraint& c = input.constraints[i];
-        if (c.kind == ConstraintKind::fixed || c.node >= model.node_count || w.constraint[c.node] != i + 1) continue;
-        w.partials[counts.partial++] = directions_of(c);
+    for (Index node = 0; node < model.node_count; ++node) {
+        counts.fixed += w.is_fixed[node];
+        counts.partial += w.constraint[node] != 0 && !w.is_fixed[node];
     }
-    counts.fixed = static_cast<std::size_t>(std::count(w.is_fixed.begin(), w.is_fixed.end(), 1));
-    // Pieces of the solve look up theirs by node.
-    std::sort(w.partials.begin(), w.partials.begin() + static_cast<std::ptrdiff_t>(counts.partial),
-              [](const Partial& a, const Partial& b) { return a.node < b.node; });
     return counts;
 }
 
@@ -109,6 +104,14 @@ Vec3f constrained_velocity(const Workspace& w, const StepInput& input, Index nod
     const Constraint& c = input.constraints[row - 1];
     if (c.kind == ConstraintKind::fixed) return c.velocity;
     return v + taken_part(directions_of(c), c.velocity - v);
+}
+
+void list_partials(const Model& model, Workspace& w, const StepInput& input) {
+    std::size_t count = 0;
+    for (Index node = 0; node < model.node_count; ++node) {
+        if (w.constraint[node] == 0 || w.is_fixed[node]) continue;
+        w.partials[count++] = directions_of(input.constraints[w.constraint[node] - 1]);
+    }
 }
 
 void keep_free_part(const Partial& partial, float* row) {
@@ -125,6 +128,21 @@ void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_cou
         const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);
         write_inverse(free_inverse(partial, a), &w.inverse[inverse_at(partial.node)]);
     }
+}
+
+double constraint_work(const Model& model, const Workspace& w, std::size_t partial_count, const StepInput& input) {
+    double work = 0;
+    for (std::size_t i = 0; i < input.constraints.size(); ++i) {
+        const Constraint& c = input.constraints[i];
+        const bool counts = c.kind == ConstraintKind::fixed && is_usable(c, model.node_count) &&
+                            w.constraint[c.node] == i + 1 && dot(c.velocity, c.velocity) > 0;
+        if (counts) work += static_cast<double>(dot(unbalanced(model, w, c.node), c.velocity));
+    }
+    for (const Partial& partial : w.partials.first(partial_count)) {
+        const Vec3f v = input.constraints[w.constraint[partial.node] - 1].velocity;
+        if (dot(v, v) > 0) work += static_cast<double>(dot(taken_part(partial, unbalanced(model, w, partial.node)), v));
+    }
+    return work;
 }
 
 void write_reactions(const Model& model, const Workspace& w, std::size_t partial_count, const StepInput& input) {

@@ -9,11 +9,11 @@ namespace crumple::solver {
 
 struct ConstraintCounts {
     std::size_t fixed = 0;
-    std::size_t partial = 0;  // of Workspace::partials
+    std::size_t partial = 0;
     bool has_bad = false;
 };
 
-// Enters the step's constraints into is_fixed, constraint and partials.
+// Enters the step's constraints into is_fixed and constraint.
 ConstraintCounts gather_constraints(const Model& model, Workspace& workspace, const StepInput& input);
 
 // The velocity a node starts the solve with: v where it is free, what is prescribed where it is not.
@@ -22,8 +22,16 @@ ConstraintCounts gather_constraints(const Model& model, Workspace& workspace, co
 // Takes the constrained directions out of a row of four floats.
 void keep_free_part(const Partial& partial, float* row);
 
+// Lists the partly free nodes in Workspace::partials, by node. REQUIRES: the matrix is assembled, for the list takes
+// the memory it was assembled from.
+void list_partials(const Model& model, Workspace& workspace, const StepInput& input);
+
 // Preconditioners of constrained nodes: 0 where fixed, the inverse on the free directions where partly free.
 void constrain_inverse(const Model& model, Workspace& workspace, std::size_t partial_count);
+
+// What moving constraints do to the body on the way of this step, J.
+[[nodiscard]] double constraint_work(const Model& model, const Workspace& workspace, std::size_t partial_count,
+                                     const StepInput& input);
 
 // A dv - b of the constrained directions over dt.
 void write_reactions(const Model& model, const Workspace& workspace, std::size_t partial_count, const StepInput& input);

@@ -263,7 +263,22 @@ inline unsigned flow(const ElementJob& job, const TetPacket& packet, TetState& s
     return bits(yields);
 }
 
-inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane) {
+// mu |eps|^2 + lambda/2 tr(eps)^2, times the volume.
+inline Lanes strain_energy(const TetPacket& packet, int lane, const Strain& e) {
+    const Lanes tr = trace(e);
+    const Lanes half_ratio = Lanes::all(0.5f) * Lanes::load(packet.ratio + lane);
+    return Lanes::load(packet.stiffness + lane) * fma(half_ratio * tr, tr, squared(e));
+}
+
+inline double total(Lanes a) {
+    float lanes[16] = {};
+    a.store(lanes);
+    double sum = 0;
+    for (int l = 0; l < Lanes::width; ++l) sum += static_cast<double>(lanes[l]);
+    return sum;
+}
+
+inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, Lanes& energy) {
     const TetPacket& packet = job.packets[p];
     TetState& state = job.states[p];
     TetShape* shape = job.shapes ? job.shapes + p : nullptr;
@@ -279,6 +294,7 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane) 
     to_matrix(q, r);
 
     Strain e = elastic_strain(r, f, state, lane);
+    energy = energy + strain_energy(packet, lane, e);
     const unsigned yields = flow(job, packet, state, shape, lane, d, r, g, f, is_bad, e);
     // The strain where the solve linearizes: at x + (beta + dt) v with R as it is.
     Lanes rate[9];
@@ -292,19 +308,42 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane) 
     write_forces(packet, lane, job.settings.dt, r, g, e, job.forces + first);
     const Mask is_real = Lanes::load(packet.stiffness + lane) > Lanes::all(0);  // not padding
     return {static_cast<std::uint32_t>(__builtin_popcount(bits(is_bad & is_real))),
-            static_cast<std::uint32_t>(__builtin_popcount(yields))};
+            static_cast<std::uint32_t>(__builtin_popcount(yields)), 0};
 }
 
 inline ElementCounts step_elements(const ElementJob& job, std::size_t begin, std::size_t end) {
     ElementCounts counts;
+    Lanes energy = Lanes::all(0);
     for (std::size_t p = begin; p < end; ++p) {
         for (int lane = 0; lane < static_cast<int>(packet_size); lane += Lanes::width) {
-            const ElementCounts some = step_lanes(job, p, lane);
+            const ElementCounts some = step_lanes(job, p, lane, energy);
             counts.degenerate += some.degenerate;
             counts.yielding += some.yielding;
         }
     }
+    counts.energy = total(energy);
     return counts;
+}
+
+// The elastic energy a step from the job's positions would start with.
+inline double elastic_energies(const ElementJob& job, std::size_t begin, std::size_t end) {
+    Lanes energy = Lanes::all(0);
+    for (std::size_t p = begin; p < end; ++p) {
+        const TetPacket& packet = job.packets[p];
+        TetState state = job.states[p];  // a copy: how tets collapse on a way that may not be taken is not kept
+        for (int lane = 0; lane < static_cast<int>(packet_size); lane += Lanes::width) {
+            Lanes g[9], f[9], r[9];
+            load_gradients(job.shapes ? job.shapes[p].gradient : packet.gradient, lane, g);
+            const Edges d = gather_edges(job.positions, packet, lane);
+            deformation(d, g, f);
+            const Lanes det = determinant(f);
+            const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
+            update_collapse(job, packet, state, lane, bits(is_bad));
+            to_matrix(rotation_of(job, packet, state, lane, d, g, f, det, is_bad), r);
+            energy = energy + strain_energy(packet, lane, elastic_strain(r, f, state, lane));
+        }
+    }
+    return total(energy);
 }
 
 inline void extract_rotations(RotationPacket* packets, std::size_t begin, std::size_t end) {

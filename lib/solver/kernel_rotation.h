@@ -71,6 +71,8 @@ inline Rotor normalized(const Rotor& q) {
 inline constexpr float nearly_symmetric = 2e-3f;
 inline constexpr int polish_steps = 3;  // after a cold start
 
+inline constexpr unsigned everyone = (1u << Lanes::width) - 1;
+
 struct NewtonStep {
     Rotor q;
     // R^T F was nearly symmetric before the step, so that a step that squares the error arrives, and no turn makes its
@@ -79,8 +81,8 @@ struct NewtonStep {
     Mask arrives;
 };
 
-// REQUIRES: |F| about 1, so that the small numbers below are relative.
-inline NewtonStep newton_step(const Lanes (&f)[9], const Rotor& q) {
+// REQUIRES: ff = |F|^2 inside the bounds below, so that nothing overflows.
+inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
     Lanes r[9], b[9];
     to_matrix(q, r);
     transposed_times(r, f, b);
@@ -93,28 +95,35 @@ inline NewtonStep newton_step(const Lanes (&f)[9], const Rotor& q) {
     const Lanes ca = fnma(h, h, e * i), cd = fnma(d, i, c * h), cc = fnma(c, e, d * h);
     const Lanes ce = fnma(c, c, a * i), ch = fnma(a, h, c * d), ci = fnma(d, d, a * e);
     const Lanes det = dot3(a, d, c, ca, cd, cc);
-    const Lanes scale = Lanes::all(-0.25f) / det;
-    Lanes wx = dot3(ca, cd, cc, gx, gy, gz) * scale;
-    Lanes wy = dot3(cd, ce, ch, gx, gy, gz) * scale;
-    Lanes wz = dot3(cc, ch, ci, gx, gy, gz) * scale;
+    // omega = n / under
+    Lanes nx = dot3(ca, cd, cc, gx, gy, gz);
+    Lanes ny = dot3(cd, ce, ch, gx, gy, gz);
+    Lanes nz = dot3(cc, ch, ci, gx, gy, gz);
     const Lanes limit = (b[0] + e + b[4]) * Lanes::all(nearly_symmetric);
     const Mask arrives =
         (dot3(gx, gy, gz, gx, gy, gz) <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
     // Where H is singular or the step would climb, go down the gradient instead.
-    const Mask is_good = (abs(det) > Lanes::all(1e-7f)) & (dot3(wx, wy, wz, gx, gy, gz) <= zero);
-    const Lanes down = Lanes::all(-0.125f);
-    wx = select(is_good, wx, gx * down);
-    wy = select(is_good, wy, gy * down);
-    wz = select(is_good, wz, gz * down);
-    // q (1 - w.w, 2 w), normalized.
-    const Lanes s = Lanes::all(1) - dot3(wx, wy, wz, wx, wy, wz);
-    wx = wx + wx;
-    wy = wy + wy;
-    wz = wz + wz;
-    return {normalized({fma(q.w, wx, fma(q.x, s, fnma(q.z, wy, q.y * wz))),
-                        fma(q.w, wy, fma(q.y, s, fnma(q.x, wz, q.z * wx))),
-                        fma(q.w, wz, fma(q.z, s, fnma(q.y, wx, q.x * wy))),
-                        fma(q.w, s, fnma(q.x, wx, fnma(q.y, wy, zero - q.z * wz)))}),
+    const Mask is_good = (det * det > Lanes::all(1e-14f) * ff * ff * ff) & (zero <= dot3(nx, ny, nz, gx, gy, gz) * det);
+    Lanes under = det * Lanes::all(-4);
+    if (bits(is_good) != everyone) {
+        nx = select(is_good, nx, zero - gx);
+        ny = select(is_good, ny, zero - gy);
+        nz = select(is_good, nz, zero - gz);
+        under = select(is_good, under, Lanes::all(8) * root(ff));
+    }
+    // q (1 - w.w, 2 w) / (1 + w.w) over under^2, which keeps the length; the other factor takes off what rounding does
+    // to it.
+    const Lanes nn = dot3(nx, ny, nz, nx, ny, nz);
+    const Lanes qq = fma(q.w, q.w, dot3(q.x, q.y, q.z, q.x, q.y, q.z));
+    const Lanes scale = fma(Lanes::all(-0.5f), qq, Lanes::all(1.5f)) / fma(under, under, nn);
+    const Lanes s = fnma(nn, scale, under * under * scale);
+    const Lanes twice = (under + under) * scale;
+    nx = nx * twice;
+    ny = ny * twice;
+    nz = nz * twice;
+    return {{fma(q.w, nx, fma(q.x, s, fnma(q.z, ny, q.y * nz))), fma(q.w, ny, fma(q.y, s, fnma(q.x, nz, q.z * nx))),
+             fma(q.w, nz, fma(q.z, s, fnma(q.y, nx, q.x * ny))),
+             fma(q.w, s, fnma(q.x, nx, fnma(q.y, ny, zero - q.z * nz)))},
             arrives};
 }
 
@@ -184,25 +193,32 @@ inline Rotor cold_start(const Lanes (&f)[9]) {
 }
 
 // Scales the lanes of f to norm 1 (polar factors do not change).
-inline void scale_to_one(Lanes (&f)[9]) {
-    const Lanes scale = Lanes::all(1) / root(squared_norm(f));
+inline void scale_to_one(Lanes (&f)[9], Lanes ff) {
+    const Lanes scale = Lanes::all(1) / root(ff);
     for (Lanes& value : f) value = value * scale;
 }
+
+// Between these squared norms the sixth power of |F| neither overflows nor vanishes.
+inline constexpr float least_squared = 1e-5f;
+inline constexpr float largest_squared = 1e5f;
 
 // The rotation nearest to F, from the last one; the last one where F has none.
 inline Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
     Lanes f[9];
     for (int i = 0; i < 9; ++i) f[i] = f_any_size[i];
-    scale_to_one(f);
-    NewtonStep step = newton_step(f, newton_step(f, last).q);
-    constexpr unsigned everyone = (1u << Lanes::width) - 1;
-    if (bits(step.arrives) != everyone) step = newton_step(f, step.q);
-    Rotor q = step.q;
-    if (bits(step.arrives) != everyone) {
-        Rotor cold = cold_start(f);
-        for (int i = 0; i < polish_steps; ++i) cold = newton_step(f, cold).q;
-        q = select(step.arrives, q, cold);
+    Lanes ff = squared_norm(f);
+    if (bits((ff > Lanes::all(least_squared)) & (Lanes::all(largest_squared) > ff)) != everyone) {
+        scale_to_one(f, ff);
+        ff = Lanes::all(1);
     }
+    NewtonStep step = newton_step(f, ff, newton_step(f, ff, last).q);
+    if (bits(step.arrives) == everyone) return step.q;
+    step = newton_step(f, ff, step.q);
+    if (bits(step.arrives) == everyone) return step.q;
+    scale_to_one(f, ff);
+    Rotor cold = cold_start(f);
+    for (int i = 0; i < polish_steps; ++i) cold = newton_step(f, Lanes::all(1), cold).q;
+    const Rotor q = select(step.arrives, step.q, cold);
     const Lanes size = dot3(q.x, q.y, q.z, q.x, q.y, q.z) + q.w * q.w;
     return select(size > Lanes::all(0.5f), q, last);  // false for NaN
 }

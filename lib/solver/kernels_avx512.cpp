@@ -14,8 +14,16 @@
 
 namespace crumple::solver {
 
-const Kernels avx512_kernels = {
-    avx512::step_elements, avx512::extract_rotations, avx512::gather_loads, avx512::assemble_edges, avx512::finish_rows,
-    avx512::multiply,      avx512::product_dot,       avx512::start,        avx512::descend,        avx512::turn};
+const Kernels avx512_kernels = {avx512::step_elements,
+                                avx512::elastic_energies,
+                                avx512::extract_rotations,
+                                avx512::gather_loads,
+                                avx512::assemble_edges,
+                                avx512::finish_rows,
+                                avx512::multiply,
+                                avx512::product_dot,
+                                avx512::start,
+                                avx512::descend,
+                                avx512::turn};
 
 }

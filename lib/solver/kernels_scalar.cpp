@@ -14,8 +14,16 @@
 
 namespace crumple::solver {
 
-const Kernels scalar_kernels = {
-    scalar::step_elements, scalar::extract_rotations, scalar::gather_loads, scalar::assemble_edges, scalar::finish_rows,
-    scalar::multiply,      scalar::product_dot,       scalar::start,        scalar::descend,        scalar::turn};
+const Kernels scalar_kernels = {scalar::step_elements,
+                                scalar::elastic_energies,
+                                scalar::extract_rotations,
+                                scalar::gather_loads,
+                                scalar::assemble_edges,
+                                scalar::finish_rows,
+                                scalar::multiply,
+                                scalar::product_dot,
+                                scalar::start,
+                                scalar::descend,
+                                scalar::turn};
 
 }

@@ -150,6 +150,10 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
     model.is_uniform = std::all_of(d.packets.begin(), d.packets.end(), [&](const TetPacket& packet) {
         return std::all_of(std::begin(packet.ratio), std::end(packet.ratio), [&](float r) { return r == model.ratio; });
     });
+    for (std::size_t t = 0; t < view.tets.size(); ++t) {
+        const Lame lame = lame_of(view.materials[view.material[t]], view.stiffness_scale[t]);
+        model.stiffness_volume += lame.mu * (lame.ratio + 2) * view.volume[t];
+    }
     model.packets = d.packets;
     model.incidence = d.incidence;
     model.node_start = d.node_start;

@@ -53,6 +53,7 @@ struct Model {
     BundleView bundle;
     bool is_uniform = true;  // lambda / mu is `ratio` everywhere
     float ratio = 0;
+    double stiffness_volume = 0;  // sum of (lambda + 2 mu) V, J
     std::span<const TetPacket> packets;
     std::span<const Index> incidence;    // 6 S: 16 tet + 4 corner of i + corner of j, by edge_start
     std::span<const Index> node_start;   // N + 1

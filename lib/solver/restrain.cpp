@@ -52,6 +52,10 @@ Slope write_direction(const Model& model, const State& state, Workspace& w, cons
     return slope;
 }
 
+void step_back(Workspace& w, std::size_t node_count, double t) {
+    for (std::size_t i = 0; i < 4 * node_count; ++i) w.change[i] -= static_cast<float>(t) * w.direction[i];
+}
+
 double product_with_matrix(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
     const SolveJob job = solve_job(model, w);
     for_pieces(jobs, model.node_count, nodes_per_piece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
@@ -73,7 +77,13 @@ void restrain(const Model& model, const State& state, Workspace& w, const Constr
     const double stiffness = solved.is_too_stiff ? 0 : product_with_matrix(model, w, kernels, jobs);
     // Minimum of the sum at v - t d. Where float lost the definiteness of A nothing but standing still is safe.
     const double t = stiffness > 0 ? std::clamp(-slope.along_residual / stiffness, 0.0, 1.0) : 1.0;
-    for (std::size_t i = 0; i < 4 * model.node_count; ++i) w.change[i] -= static_cast<float>(t) * w.direction[i];
+    step_back(w, model.node_count, t);
+}
+
+void shorten_change(const Model& model, const State& state, Workspace& w, const ConstraintCounts& constraints,
+                    double t) {
+    (void)write_direction(model, state, w, constraints);
+    step_back(w, model.node_count, t);
 }
 
 }

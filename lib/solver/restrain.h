@@ -12,6 +12,10 @@
 
 namespace crumple::solver {
 
+// Takes away part t of the velocities toward standing still. Uses Workspace::direction.
+void shorten_change(const Model& model, const State& state, Workspace& workspace, const ConstraintCounts& constraints,
+                    double t);
+
 // Shortens Workspace::change where that lowers the sum above; all the way where the solve itself cannot be trusted.
 // REQUIRES: solve() has run.
 void restrain(const Model& model, const State& state, Workspace& workspace, const ConstraintCounts& constraints,

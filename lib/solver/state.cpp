@@ -27,7 +27,12 @@ Workspace take_workspace(const Model& model, Arena& arena) {
     const std::size_t node_count = padded_nodes(model);
     const std::size_t corner_floats = model.packets.size() * packet_size * 16;
     Workspace w;
-    w.gradients = arena.take<float>(corner_floats);
+    const auto gradients =
+        arena.take<std::byte>(std::max(corner_floats * sizeof(float), model.node_count * sizeof(Partial)));
+    if (!gradients.empty()) {
+        w.gradients = {reinterpret_cast<float*>(gradients.data()), corner_floats};
+        w.partials = {reinterpret_cast<Partial*>(gradients.data()), model.node_count};
+    }
     const auto shared = arena.take<float>(std::max(corner_floats, 9 * model.block_count));
     if (!shared.empty()) {
         w.forces = shared.first(corner_floats);
@@ -44,7 +49,6 @@ Workspace take_workspace(const Model& model, Arena& arena) {
     w.damped_mass = arena.take<float>(node_count);
     w.is_fixed = arena.take<std::uint8_t>(node_count);
     w.constraint = arena.take<Index>(node_count);
-    w.partials = arena.take<Partial>(model.node_count);
     w.materials = arena.take<StepMaterial>(model.materials.size());
     w.sums = arena.take<double>(node_count / nodes_per_piece + 1);
     w.raised = arena.take<std::uint32_t>(node_count / nodes_per_piece + 1);

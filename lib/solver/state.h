@@ -15,6 +15,8 @@ struct StateHeader {
     std::uint64_t step_count = 0;
     float last_dt = 0;
     float padding = 0;
+    double energy = 0;  // kinetic and elastic, J, at the end of the last step
+    double budget = 0;  // what was put in and is not known to be gone, J
 };
 
 struct State {
@@ -56,7 +58,7 @@ struct Partial {
 };
 
 struct Workspace {
-    std::span<float> gradients;        // packets x 16 x 16
+    std::span<float> gradients;        // packets x 16 x 16; shares memory with partials, which are listed later
     std::span<float> forces;           // packets x 16 x 16; shares memory with blocks, which are written later
     std::span<float> blocks;           // B x 9
     std::span<float> inverse;          // see inverse_at()

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/constraints.h"
-#include "solver/restrain.h"
+#include "solver/advance.h"
+#include "solver/measure.h"
 #include "solver/solve.h"
 
 namespace crumple::solver {
@@ -37,8 +37,8 @@ void start_velocities(const Model& model, State& state, Workspace& w, const Step
     }
 }
 
-ElementCounts run_elements(const Model& model, State& state, Workspace& w, const StepInput& input,
-                           const Settings& settings, const Kernels& kernels, const Jobs& jobs) {
+ElementJob element_job(const Model& model, State& state, Workspace& w, const StepInput& input,
+                       const Settings& settings) {
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         const ModelMaterial& m = model.materials[i];
         w.materials[i] = {1 - std::exp(-m.creep_per_s * input.dt), m.hardening_pa, m.max_plastic_strain};
@@ -55,12 +55,18 @@ ElementCounts run_elements(const Model& model, State& state, Workspace& w, const
     job.settings.min_plastic_stretch = static_cast<float>(settings.min_plastic_stretch);
     job.settings.max_plastic_stretch = static_cast<float>(settings.max_plastic_stretch);
     if (settings.rotation != RotationMethod::apd) job.settings.rotation = rotation_function(settings.rotation);
+    return job;
+}
+
+ElementCounts run_elements(const ElementJob& job, const Model& model, Workspace& w, const Kernels& kernels,
+                           const Jobs& jobs) {
     for_pieces(jobs, model.packets.size(), packets_per_piece,
                [&](std::size_t piece, std::size_t b, std::size_t e) { w.counts[piece] = kernels.elements(job, b, e); });
     ElementCounts total;
     for (std::size_t i = 0; i * packets_per_piece < model.packets.size(); ++i) {
         total.degenerate += w.counts[i].degenerate;
         total.yielding += w.counts[i].yielding;
+        total.energy += w.counts[i].energy;
     }
     return total;
 }
@@ -92,25 +98,6 @@ bool assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jo
                        [](std::uint32_t count) { return count > 0; });
 }
 
-// v += dv, x += dt v; a node whose numbers overflowed stops where it is. Says whether one did.
-bool integrate(const Model& model, State& state, const Workspace& w, float dt) {
-    bool has_overflowed = false;
-    for (std::size_t node = 0; node < model.node_count; ++node) {
-        const std::size_t at = 4 * node;
-        Vec3f v = velocity(state, node);
-        if (!w.is_fixed[node]) v += Vec3f{w.change[at], w.change[at + 1], w.change[at + 2]};
-        const Vec3f x = position(state, node) + v * dt;
-        if (!is_finite(v) || !is_finite(x)) {
-            has_overflowed = true;
-            set_velocity(state, node, {});
-            continue;
-        }
-        set_velocity(state, node, v);
-        for (int i = 0; i < 3; ++i) state.positions[at + static_cast<std::size_t>(i)] = x[i];
-    }
-    return has_overflowed;
-}
-
 }
 
 StepReport step(const Model& model, State& state, Workspace& workspace, const StepInput& input,
@@ -122,21 +109,25 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     }
     const Kernels& wide = kernels(best_isa(settings.isa));
     const ConstraintCounts constraints = gather_constraints(model, workspace, input);
+    const double kinetic = kinetic_energy(model, state);
     start_velocities(model, state, workspace, input);
-    const ElementCounts counts = run_elements(model, state, workspace, input, settings, wide, jobs);
+    const ElementJob elements = element_job(model, state, workspace, input, settings);
+    const ElementCounts counts = run_elements(elements, model, workspace, wide, jobs);
     gather_loads(model, workspace, wide, jobs);
     const bool is_too_stiff = assemble(model, workspace, wide, jobs);
+    list_partials(model, workspace, input);
     constrain_inverse(model, workspace, constraints.partial);
     const Solved solved = solve(model, workspace, constraints.partial, settings, wide, jobs);
     restrain(model, state, workspace, constraints, solved, wide, jobs);
-    if (!input.reactions.empty()) write_reactions(model, workspace, constraints.partial, input);
-    const bool has_overflowed = integrate(model, state, workspace, input.dt);
+    const Advanced end =
+        advance(model, state, workspace, input, constraints, elements, kinetic + counts.energy, wide, jobs);
 
     state.header->last_dt = input.dt;
     ++state.header->step_count;
-    report = {solved.iterations, solved.residual, counts.degenerate, counts.yielding, 0};
+    report = {solved.iterations, solved.residual, counts.degenerate, counts.yielding, 0, end.energy};
+    if (end.is_cut) report.warnings |= step_restrained;
     if (is_too_stiff || solved.is_too_stiff) report.warnings |= step_too_stiff;
-    if (has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;
+    if (end.has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;
     if (constraints.has_bad) report.warnings |= step_bad_constraint;
     return report;
 }

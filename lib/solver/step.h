@@ -74,6 +74,7 @@ enum StepWarning : std::uint32_t {
     step_not_finite = 2,      // a velocity overflowed and was set to 0
     step_bad_constraint = 4,  // a node out of range or a direction without length: ignored
     step_bad_input = 8,       // dt not positive, a wrong length: nothing was done
+    step_restrained = 16,     // cut short, or it would have made energy
 };
 
 struct StepReport {
@@ -82,6 +83,7 @@ struct StepReport {
     std::uint32_t degenerate = 0;  // tets with det F <= threshold at the start of the step
     std::uint32_t yielding = 0;    // tets that flowed plastically
     std::uint32_t warnings = 0;
+    double energy = 0;  // kinetic and elastic at the end, J
 };
 
 StepReport step(const Model& model, State& state, Workspace& workspace, const StepInput& input,

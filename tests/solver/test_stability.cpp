@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -24,11 +25,9 @@ double total_energy(const Body& body) {
     return kinetic_energy(body.model, body.state) + elastic_energy(body.model, body.state);
 }
 
-// What the first step starts from, with the rotations that step will use: a treated inverted tet holds more energy than
-// the nearest rotation shows.
+// What a step would start from, with the rotations it would use: those of inverted tets are not the nearest ones.
 double energy_as_stepped(Body& body, float dt) {
     const std::vector<std::byte> before(body.bytes().begin(), body.bytes().end());
-    const double nearest = total_energy(body);
     body.step(dt);
     const std::vector<TetState> stepped(body.state.tets.begin(), body.state.tets.end());
     std::memcpy(body.bytes().data(), before.data(), before.size());
@@ -39,7 +38,7 @@ double energy_as_stepped(Body& body, float dt) {
     const double seen =
         kinetic_energy(body.model, body.state) + elastic_energy(body.model, body.state, EnergyRotation::of_state);
     std::copy(own.begin(), own.end(), body.state.tets.begin());
-    return std::max(nearest, seen);
+    return seen;
 }
 
 // A caller's threads, the crudest way: pieces in turn, backwards on one of them.
@@ -175,12 +174,12 @@ constexpr std::uint64_t crash_runs = 1000;
 constexpr std::uint64_t crash_runs = 150;  // with sanitizers a run takes twenty times as long
 #endif
 
-// S10, quick: wild materials, steps, speeds to 100 m/s, nodes thrown anywhere. No NaN, ever. Energy stays below twice
-// what was put in in all but a few runs in a thousand: R is frozen while the step is solved, so a tet under large
-// tension that turns by much in one step shows its strain only afterwards. Those stay bounded too.
+// S10, quick: wild materials, steps, speeds to 100 m/s, nodes thrown anywhere. No NaN, and never more than twice the
+// energy that was put in. CRUMPLE_FULL_TESTS=1 makes it 100,000 runs.
 TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
-    int above = 0;
-    for (std::uint64_t seed = 0; seed < crash_runs; ++seed) {
+    int cut = 0;
+    const std::uint64_t runs = std::getenv("CRUMPLE_FULL_TESTS") ? 100000 : crash_runs;
+    for (std::uint64_t seed = 0; seed < runs; ++seed) {
         Rng rng(seed, 10);
         const auto between = [&](double low, double high) { return low * std::pow(high / low, rng.next_unit()); };
         Material m = elastic_material(between(1e3, 1e9), 0.499 * rng.next_unit());
@@ -212,18 +211,47 @@ TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
         const double allowed = energy_as_stepped(body, dt);
         double most = 0;
         for (int i = 0; i < 30; ++i) {
-            body.step(dt);
-            if (i % 3 == 0) most = std::max(most, total_energy(body));
+            cut += (body.step(dt).warnings & step_restrained) != 0;
+            if (i % 3 == 0) most = std::max(most, energy_as_stepped(body, dt));
         }
         // Strains of float rounding, 1e-7, are no motion.
         double noise = 0;
-        for (const float volume : body.bundle.volume) noise += 1e-12 * m.young_pa * volume;
+        const double pressure_modulus = m.young_pa * (1 - m.poisson) / ((1 + m.poisson) * (1 - 2 * m.poisson));
+        for (const float volume : body.bundle.volume) noise += 2e-12 * pressure_modulus * volume;
         EXPECT_TRUE(body.is_finite()) << "seed " << seed;
-        EXPECT_LE(most, 50 * allowed + noise) << "seed " << seed;
-        above += most > 2 * allowed + noise;
+        EXPECT_LE(most, 2 * allowed + noise) << "seed " << seed;
     }
-    EXPECT_LE(above, 5);
-    RecordProperty("runs_above_twice_the_energy", above);
+    EXPECT_LT(cut, 0.002 * 30 * static_cast<double>(runs));  // a last resort, not how it works
+    RecordProperty("steps_cut_short", cut);
+}
+
+// The bound must not slow what is right: a fast spinner, whose tets turn 10 degrees a step, keeps its steps whole.
+TEST(S10Crash, AFastSpinnerIsNotHeldBack) {
+    Body body(grid_body({3, 3, 3}, {0.3f, 0.3f, 0.3f}, elastic_material(1e6)));
+    body.set_velocities([](Vec3f p) { return cross(Vec3f{0, 10, 0}, p - Vec3f{0.45f, 0.45f, 0.45f}); });
+    for (int i = 0; i < 60; ++i) EXPECT_EQ(body.step(1.0f / 60).warnings & step_restrained, 0u);
+}
+
+// What the caller adds between steps and what forces and moving handles do is no gain.
+TEST(S10Crash, WorkFromOutsideIsNotHeldBack) {
+    Body body(grid_body({4, 2, 2}, {0.3f, 0.3f, 0.3f}, elastic_material(1e6), [](Vec3f p) { return p.x == 0; }));
+    std::vector<Vec3f> push(body.node_count(), {0, 20, 0});
+    for (int i = 0; i < 30; ++i) {
+        StepInput input;
+        input.forces = push;
+        EXPECT_EQ(body.step(input).warnings & step_restrained, 0u);
+    }
+    body.set_velocities([](Vec3f p) { return Vec3f{0, 0, 30 * p.x}; });
+    EXPECT_EQ(body.step(1.0f / 60).warnings & step_restrained, 0u);
+    std::vector<Constraint> handles;
+    for (Index n = 0; n < body.node_count(); ++n) {
+        if (body.rest(n).x > 1.1f) handles.push_back({n, ConstraintKind::fixed, {0, 0, 5}, {}, {}});
+    }
+    for (int i = 0; i < 30; ++i) {
+        StepInput input;
+        input.constraints = handles;
+        EXPECT_EQ(body.step(input).warnings & step_restrained, 0u);
+    }
 }
 
 TEST(S11Determinism, ThreadsDoNotChangeABit) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "solver/advance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crumple::solver {
+namespace {
+
+// Strains of float rounding, 1e-7 and a little, hold this part of (lambda + 2 mu) V; they are no motion.
+constexpr double noise_strain_squared = 1e-12;
+constexpr double forgets_per_s = 1;  // how fast the budget comes down to what is there
+
+bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+Vec3f row(std::span<const float> rows, std::size_t node) {
+    return {rows[4 * node], rows[4 * node + 1], rows[4 * node + 2]};
+}
+
+void set_row(std::span<float> rows, std::size_t node, Vec3f v) {
+    for (int i = 0; i < 3; ++i) rows[4 * node + static_cast<std::size_t>(i)] = v[i];
+}
+
+// Where the change leads, in memory the solve no longer needs.
+struct Trial {
+    std::span<float> positions;
+    std::span<float> velocities;
+    double kinetic = 0;
+    double work = 0;  // of gravity and forces on the way
+    bool has_overflowed = false;
+};
+
+// A node whose numbers overflow stops where it is.
+Trial propose(const Model& model, const State& state, Workspace& w, const StepInput& input) {
+    Trial trial{w.product, w.precise};
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        Vec3f v = velocity(state, node);
+        if (!w.is_fixed[node]) v += row(w.change, node);
+        Vec3f x = position(state, node) + v * input.dt;
+        if (!is_finite(v) || !is_finite(x)) {
+            trial.has_overflowed = true;
+            v = {};
+            x = position(state, node);
+        }
+        set_row(trial.positions, node, x);
+        set_row(trial.velocities, node, v);
+        const double mass = model.bundle.mass[node];
+        Vec3f push = input.gravity * static_cast<float>(mass);
+        if (!input.forces.empty()) push += input.forces[node];
+        trial.kinetic += 0.5 * mass * static_cast<double>(dot(v, v));
+        trial.work += static_cast<double>(dot(push, v)) * static_cast<double>(input.dt);
+    }
+    return trial;
+}
+
+double elastic_energy_of(const Trial& trial, const Model& model, Workspace& w, const StepInput& input,
+                         ElementJob elements, const Kernels& kernels, const Jobs& jobs) {
+    elements.positions = trial.positions.data();
+    elements.velocities = trial.velocities.data();
+    elements.settings.last_dt = input.dt;
+    for_pieces(jobs, model.packets.size(), packets_per_piece, [&](std::size_t piece, std::size_t b, std::size_t e) {
+        w.counts[piece].energy = kernels.energies(elements, b, e);
+    });
+    double total = 0;
+    for (std::size_t i = 0; i * packets_per_piece < model.packets.size(); ++i) total += w.counts[i].energy;
+    return total;
+}
+
+void commit(const Model& model, State& state, const Trial& trial) {
+    std::copy_n(trial.positions.begin(), 4 * model.node_count, state.positions.begin());
+    std::copy_n(trial.velocities.begin(), 4 * model.node_count, state.velocities.begin());
+}
+
+}
+
+Advanced advance(const Model& model, State& state, Workspace& w, const StepInput& input,
+                 const ConstraintCounts& constraints, const ElementJob& elements, double energy, const Kernels& kernels,
+                 const Jobs& jobs) {
+    StateHeader& header = *state.header;
+    const double put_in = header.step_count == 0 ? energy : header.budget + energy - header.energy;
+    const double noise = noise_strain_squared * model.stiffness_volume;
+    Advanced result;
+    double budget = 0;
+    double keep = 1;
+    for (;;) {
+        const Trial trial = propose(model, state, w, input);
+        const double work = trial.work + constraint_work(model, w, constraints.partial, input);
+        budget = std::max(put_in + work, 0.0);
+        result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
+        result.has_overflowed = result.has_overflowed || trial.has_overflowed;
+        const bool is_fine = result.energy <= std::max(budget_slack * budget, energy + work) + noise;
+        if (is_fine || keep == 0) {
+            if (!input.reactions.empty()) write_reactions(model, w, constraints.partial, input);
+            commit(model, state, trial);
+            break;
+        }
+        // A few halves, then standing still.
+        const double before = keep;
+        keep = keep > 0.1 ? 0.5 * keep : 0;
+        shorten_change(model, state, w, constraints, 1 - keep / before);
+        result.is_cut = true;
+    }
+    if (!std::isfinite(result.energy)) result.energy = budget = 0;
+    header.energy = result.energy;
+    header.budget = budget - std::max(0.0, budget - result.energy) * std::min(1.0, forgets_per_s * input.dt);
+    return result;
+}
+
+}
