@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finish/finish.h"
+
+#include <algorithm>
+
+#include "finish/improve.h"
+#include "finish/peel.h"
+#include "finish/repair.h"
+#include "finish/surface_guard.h"
+#include "finish/work_mesh.h"
+
+namespace crumple::finish {
+
+namespace {
+
+void check_input(const Shell& shell, const TetMesh& mesh) {
+    CRUMPLE_CHECK(mesh.shell_vertex_count == shell.positions.size(), "finish needs the shell its mesh was made of");
+    CRUMPLE_CHECK(mesh.positions.size() >= shell.positions.size(), "a mesh holds its shell's vertices");
+    CRUMPLE_CHECK(std::equal(shell.positions.begin(), shell.positions.end(), mesh.positions.begin()),
+                  "shell vertices come first, at their place");
+    CRUMPLE_CHECK(mesh.neighbours.size() == mesh.tets.size(), "every tet has its neighbours");
+    CRUMPLE_CHECK(mesh.region.empty() || mesh.region.size() == mesh.tets.size(), "every tet has its region");
+}
+
+void repair(TetMesh& mesh, Report& report, const Context& context) {
+    Repaired repaired = repair_surface(std::move(mesh), context);
+    mesh = std::move(repaired.mesh);
+    report.repair = {repaired.report.edges_before, repaired.report.nodes_before, repaired.report.nodes_left,
+                     repaired.report.removed, repaired.report.added};
+}
+
+class Finisher {
+public:
+    Finisher(const Shell& shell, const TetMesh& mesh, const Params& params, Report& report, const Context& context)
+        : params_(params),
+          report_(report),
+          context_(context),
+          guard_(shell, {params.fold_deg, params.surface_gap, params.surface_gap_diagonal}),
+          work_(mesh),
+          budget_(std::uint64_t{params.budget} * mesh.tets.size()),
+          volume_(params.peel_volume * report.before.volume) {}
+
+    // Only what is flat to the limits that hold for flips of the surface.
+    void peel_flattest() {
+        peel({params_.peel_angle_deg, std::min(params_.surface_gap, params_.peel_height), params_.surface_gap_diagonal,
+              volume_});
+    }
+
+    bool peel_flat() { return peel({params_.peel_angle_deg, params_.peel_height, 1, volume_}); }
+
+    void improve() {
+        const ImproveReport improved = improve_shapes(
+            work_, guard_, {params_.target_deg, params_.insert_below_deg, params_.rounds, budget_ - report_.tried},
+            context_);
+        Operations& sum = report_.operations;
+        sum.edge_removals += improved.edge_removals;
+        sum.surface_flips += improved.surface_flips;
+        sum.face_removals += improved.face_removals;
+        sum.moves += improved.moves;
+        sum.contractions += improved.contractions;
+        sum.insertions += improved.insertions;
+        report_.rounds_run += improved.rounds;
+        report_.tried += improved.tried;
+        report_.budget_used = budget_ > 0 ? static_cast<double>(report_.tried) / static_cast<double>(budget_) : 1;
+    }
+
+    [[nodiscard]] TetMesh mesh() const { return take_mesh(work_); }
+
+private:
+    bool peel(const PeelLimits& limits) {
+        const PeelReport peeled = peel_flat_tets(work_, guard_, limits, context_);
+        report_.peeled_tets += peeled.removed;
+        report_.restored_tets += peeled.restored;
+        volume_ -= peeled.spent;
+        return peeled.removed > 0;
+    }
+
+    const Params& params_;
+    Report& report_;
+    const Context& context_;
+    SurfaceGuard guard_;
+    WorkMesh work_;
+    std::uint64_t budget_;
+    double volume_;  // that may still be peeled off
+};
+
+}
+
+// Local operations before the flat tets that show: many of those are mended, and then no volume is lost.
+Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const Context& context) {
+    check_input(shell, mesh);
+    Result result;
+    Report& report = result.report;
+    report.before = quality::summarize(mesh, context);
+    if (params.mode == Mode::none) {
+        report.after = report.before;
+        result.mesh = std::move(mesh);
+        return result;
+    }
+    repair(mesh, report, context);
+    Finisher finisher(shell, mesh, params, report, context);
+    if (params.mode == Mode::full) {
+        finisher.peel_flattest();
+        finisher.improve();
+        if (finisher.peel_flat()) finisher.improve();
+    } else {
+        (void)finisher.peel_flat();
+    }
+    result.mesh = finisher.mesh();
+    report.after = quality::summarize(result.mesh, context);
+    report.volume_change = report.before.volume > 0 ? report.after.volume / report.before.volume - 1 : 0;
+    return result;
+}
+
+}

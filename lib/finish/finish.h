@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gives the tets inside the shell shapes worth simulating, without moving the artist's vertices: repairs the surface
+// where it touches itself, peels flat tets off it and mends bad tets by local operations. The result is no longer
+// Delaunay.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/context.h"
+#include "core/fields.h"
+#include "core/finding.h"
+#include "mesh/shell.h"
+#include "mesh/tet_mesh.h"
+#include "quality/quality.h"
+
+namespace crumple::finish {
+
+inline constexpr int version = 1;
+
+enum class Mode { none, peel, full };
+inline constexpr EnumName<Mode> mode_names[] = {{Mode::none, "none"}, {Mode::peel, "peel"}, {Mode::full, "full"}};
+constexpr std::span<const EnumName<Mode>> enum_names(Mode) { return mode_names; }
+
+struct Params {
+    Mode mode = Mode::full;
+    double peel_angle_deg = 12;
+    double peel_height = 0.05;
+    double peel_volume = 0.005;
+    double fold_deg = 0.5;
+    double surface_gap = 0.01;
+    double surface_gap_diagonal = 1e-3;
+    double target_deg = 40;
+    double insert_below_deg = 15;
+    std::uint32_t rounds = 10;
+    std::uint32_t budget = 400;
+};
+
+template <class Visitor, FieldsOf<Params> P>
+void describe(Visitor& visit, P& p) {
+    visit.field("mode", p.mode,
+                "none, peel (flat tets at the surface go) or full (peel, then local operations on bad tets)");
+    visit.field("peel_angle_deg", p.peel_angle_deg, Range{0, 45}, "a tet with an angle below this may be peeled off");
+    visit.field("peel_height", p.peel_height, Range{0, 0.5}, "when it is flatter than this times its mean edge");
+    visit.field("peel_volume", p.peel_volume, Range{0, 0.1}, "share of the volume that may be peeled off in all");
+    visit.field("fold_deg", p.fold_deg, Range{0, 30},
+                "an edge of the surface may flip when its two faces are flat to this angle, before and after");
+    visit.field("surface_gap", p.surface_gap, Range{0, 0.2},
+                "and when the surface moves by no more than this times the edges there");
+    visit.field("surface_gap_diagonal", p.surface_gap_diagonal, Range{0, 0.05},
+                "nor by more than this times the shell's diagonal");
+    visit.field("target_deg", p.target_deg, Range{0, 60}, "tets as good as this smallest angle are left alone");
+    visit.field("insert_below_deg", p.insert_below_deg, Range{0, 60},
+                "tets worse than this may get a node of their own");
+    visit.field("rounds", p.rounds, Range{0, 1000}, "over all bad tets whose surroundings changed, at most");
+    visit.field("budget", p.budget, Range{0, 1e6}, "operations tried for each tet, on average, at most");
+}
+
+struct Operations {
+    std::uint64_t edge_removals = 0;
+    std::uint64_t surface_flips = 0;
+    std::uint64_t face_removals = 0;
+    std::uint64_t moves = 0;
+    std::uint64_t contractions = 0;
+    std::uint64_t insertions = 0;
+};
+
+template <class Visitor, FieldsOf<Operations> P>
+void describe(Visitor& visit, P& p) {
+    visit.field("edge_removals", p.edge_removals, "edges inside taken out, the space around them filled anew");
+    visit.field("surface_flips", p.surface_flips, "the same at edges of the surface");
+    visit.field("face_removals", p.face_removals, "faces taken out and the nodes beside them joined by an edge");
+    visit.field("moves", p.moves, "steps of interior nodes");
+    visit.field("contractions", p.contractions, "interior nodes merged into a neighbour");
+    visit.field("insertions", p.insertions, "interior nodes added");
+}
+
+struct Repair {
+    std::uint64_t edges_before = 0;
+    std::uint64_t nodes_before = 0;
+    std::uint64_t nodes_left = 0;
+    std::uint64_t removed = 0;
+    std::uint64_t added = 0;
+};
+
+template <class Visitor, FieldsOf<Repair> P>
+void describe(Visitor& visit, P& p) {
+    visit.field("edges_before", p.edges_before, "edges of the surface where other than two faces met");
+    visit.field("nodes_before", p.nodes_before, "nodes where the surface touched itself");
+    visit.field("nodes_left", p.nodes_left, "nodes where it still does");
+    visit.field("removed", p.removed, "tets taken away to part it");
+    visit.field("added", p.added, "tets added to join it");
+}
+
+struct Report {
+    quality::Summary before;
+    quality::Summary after;
+    Repair repair;
+    std::uint64_t peeled_tets = 0;
+    std::uint64_t restored_tets = 0;
+    double volume_change = 0;
+    Operations operations;
+    std::uint32_t rounds_run = 0;
+    std::uint64_t tried = 0;
+    double budget_used = 0;
+    std::vector<Finding> findings;
+};
+
+template <class Visitor, FieldsOf<Report> P>
+void describe(Visitor& visit, P& p) {
+    visit.field("before", p.before, "shapes as they came");
+    visit.field("after", p.after, "shapes of the result");
+    visit.field("repair", p.repair, "what made the surface a manifold");
+    visit.field("peeled_tets", p.peeled_tets, "flat tets taken off the surface");
+    visit.field("restored_tets", p.restored_tets, "of those, tets that lay outside the shell's own triangles");
+    visit.field("volume_change", p.volume_change, "volume now over volume before, less 1");
+    visit.field("operations", p.operations, "what was done");
+    visit.field("rounds_run", p.rounds_run, "over all bad tets whose surroundings changed");
+    visit.field("tried", p.tried, "operations tried, whether they led to a change or not");
+    visit.field("budget_used", p.budget_used, "share of the operations allowed; 1: stopped for want of budget");
+    visit.field("findings", p.findings, "what a person should know");
+}
+
+struct Result {
+    TetMesh mesh;  // shell vertices at their index and place; interior nodes moved, dropped and added at the end
+    Report report;
+};
+
+// REQUIRES: mesh after cull: regions and neighbours filled, every tet positive, the shell's vertices first.
+[[nodiscard]] Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params = {},
+                                 const Context& context = {});
+
+}

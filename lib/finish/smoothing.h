@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an interior node should go so that the worst tet at it gets as good as it can [Freitag and Ollivier-Gooch 1997,
+// "Tetrahedral mesh improvement using swapping and smoothing"]: steepest ascent of a minimum of smooth functions. The
+// direction is the shortest vector in the convex hull of the gradients of the functions that are nearly the minimum.
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/vec3.h"
+
+namespace crumple::finish {
+
+// The face opposite the node in one tet at it: (node, face[0], face[1], face[2]) is positive.
+using OppositeFace = std::array<Vec3, 3>;
+
+struct BetterPlace {
+    Vec3 place;    // float-representable
+    double least;  // shape of the worst tet there
+};
+
+// None where no step makes the worst tet better than `floor`. Tets at the new place have a positive shape, as floating
+// point sees it. Reorders `faces`.
+[[nodiscard]] std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace>& faces, double floor);
+
+// The vector of least length in the convex hull of `vectors`, to about a percent; zero for none.
+[[nodiscard]] Vec3 shortest_in_hull(std::span<const Vec3> vectors);
+
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Says where the surface of the tets may change: an edge of it may give way to the other diagonal of the two faces
+// beside it only where that is as good as flat, keeps to the shell and crosses nothing that means something to the
+// artist.
+#pragma once
+#include <vector>
+
+#include "finish/work_mesh.h"
+#include "geometry/bvh.h"
+#include "geometry/surface_distance.h"
+#include "mesh/shell.h"
+
+namespace crumple::finish {
+
+struct SurfaceLimits {
+    double fold_deg = 0.5;            // between the two faces, before and after
+    double share_of_edge = 0.01;      // distance between the diagonals over the mean side of the four-cornered patch
+    double share_of_diagonal = 1e-3;  // the same over the shell's box diagonal
+};
+
+class SurfaceGuard {
+public:
+    // Keeps a reference to the shell.
+    SurfaceGuard(const Shell& shell, const SurfaceLimits& limits);
+
+    // Whether the faces (a, p, b) and (a, b, q), counter-clockwise from outside, may become (a, p, q) and (p, b, q).
+    [[nodiscard]] bool may_flip(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const;
+
+    // An edge of the shell that is painted (both ends locked) or has not just two triangles of one component.
+    [[nodiscard]] bool is_marked(Index a, Index b) const;
+
+    // Whether the shell has this triangle, wound the same way.
+    [[nodiscard]] bool is_shell_triangle(Index a, Index b, Index c) const;
+
+    // Box diagonal of the shell.
+    [[nodiscard]] double diagonal() const { return diagonal_; }
+
+    [[nodiscard]] double distance_to_shell(Vec3 p) const { return surface_.closest(p).distance; }
+
+private:
+    [[nodiscard]] bool is_flat(Vec3 a, Vec3 b, Vec3 c, Vec3 d) const;
+    [[nodiscard]] bool is_clear(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const;
+
+    const Shell& shell_;
+    SurfaceLimits limits_;
+    double fold_sine_2_;
+    double diagonal_;
+    SurfaceDistance surface_;
+    Bvh triangles_;
+    std::vector<Edge> marked_;     // ascending
+    std::vector<Edge> sharp_;      // of the shell, not flat to the limit; ascending
+    std::vector<Triangle> faces_;  // smallest corner first, ascending
+};
+
+// Distance between the lines through (a, b) and (p, q), 0 where they are parallel.
+[[nodiscard]] double gap_between(Vec3 a, Vec3 b, Vec3 p, Vec3 q);
+
+}
