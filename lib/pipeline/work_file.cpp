@@ -7,6 +7,7 @@
 
 #include "geometry/predicates.h"
 #include "pipeline/cook_record.h"
+#include "pipeline/quality_view.h"
 #include "pipeline/work_parts.h"
 #include "sandbox/sandbox.h"
 #include "store/bundle_file.h"
@@ -76,6 +77,7 @@ std::vector<std::byte> work_image(const Workspace& work, const FileContents& con
         if (work.tets && !work.bundle) write_view(file, *work.tets);
     }
     if (work.bundle) store::write_bundle(file, *work.bundle);
+    if (contents.has_work) store::write_view_fields(file, quality_view(work));
     file.write_text("/cook/record", cook_record_json(work));
     return file.finish();
 }

@@ -50,7 +50,24 @@ public:
         : surface_(surface),
           distance_(surface.positions, surface.triangles),
           fans_(surface.positions.size(), surface.triangles),
-          diagonal_(bounding_box(surface.positions).diagonal()) {}
+          diagonal_(bounding_box(surface.positions).diagonal()),
+          thickness_(surface.triangles.size(), 0) {}
+
+    // To be called with the tets that will be asked for: what is thick there is measured once a triangle.
+    void prepare(std::span<const Tet> tets, std::span<const Index> asked, const Context& context) {
+        std::vector<Index> near;
+        for (const Index t : asked) {
+            for (const Index v : tets[t]) {
+                const std::span<const Index> fan = fans_.around(v);
+                near.insert(near.end(), fan.begin(), fan.end());
+            }
+        }
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        parallel_for(context, near.size(), 64, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) thickness_[near[i]] = measure_thickness(near[i]);
+        });
+    }
 
     // atan(t / e) around the corners of a tet, degrees; a right angle where there is no surface.
     [[nodiscard]] double thin_limit_deg(const Tet& tet) const {
@@ -62,7 +79,7 @@ public:
                 const std::array<Vec3, 3> at = corners(f);
                 const double weight = length(area_vector(at[0], at[1], at[2]));
                 area += weight;
-                thickness += weight * thickness_at(f);
+                thickness += weight * thickness_[f];
                 edge += weight * (length(at[1] - at[0]) + length(at[2] - at[1]) + length(at[0] - at[2])) / 3;
             }
         }
@@ -107,7 +124,7 @@ private:
 
     // The shrinking ball [Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the
     // normal field"]: one that touches p from inside is made smaller until nothing of the surface lies within.
-    [[nodiscard]] double thickness_at(Index f) const {
+    [[nodiscard]] double measure_thickness(Index f) const {
         const std::array<Vec3, 3> at = corners(f);
         const Vec3 normal = area_vector(at[0], at[1], at[2]);
         const double size = length(normal);
@@ -130,6 +147,7 @@ private:
     SurfaceDistance distance_;
     Fans fans_;
     double diagonal_;
+    std::vector<double> thickness_;  // F: the ball's diameter, where measured
 };
 
 Limit judge(const Places& places, const Tet& tet, double angle_deg) {
@@ -155,10 +173,9 @@ std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> pos
         angle.push_back(key);
     }
     if (bad.empty() || surface.triangles.empty()) return limits;
-    const Places places(surface);
-    parallel_for(context, bad.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) limits[bad[i]] = judge(places, tets[bad[i]], degrees_of(angle[i]));
-    });
+    Places places(surface);
+    places.prepare(tets, bad, context);
+    for (std::size_t i = 0; i < bad.size(); ++i) limits[bad[i]] = judge(places, tets[bad[i]], degrees_of(angle[i]));
     return limits;
 }
 

@@ -26,13 +26,24 @@ def check_grid(grid, what):
     assert grid.GetPointData().GetArray("mass").GetNumberOfTuples() == 164, what
 
 
+def check_fields(grid):
+    angles = grid.GetCellData().GetArray("min_dihedral_deg")
+    assert [angles.GetValue(t) for t in range(200)] == [0.5 * t for t in range(200)]
+    assert grid.GetCellData().GetArray("shell_limit").GetValue(199) == 2
+    assert grid.GetPointData().GetArray("component").GetValue(163) == 7
+    places = grid.GetFieldData().GetArray("paint%2F1.position")
+    assert [places.GetTuple(i) for i in range(places.GetNumberOfTuples())] == [(1, 2, 3), (4, 5, 6)]
+
+
 def main(folder):
-    for name in ("small.hdf", "contiguous.hdf"):
+    for name in ("small.hdf", "contiguous.hdf", "fields.hdf"):
         reader = vtk.vtkHDFReader()
         assert reader.CanReadFile(folder + "/" + name), name
         reader.SetFileName(folder + "/" + name)
         reader.Update()
         check_grid(reader.GetOutput(), name)
+        if name == "fields.hdf":
+            check_fields(reader.GetOutput())
     reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(folder + "/small.vtu")
     reader.Update()
