@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frees one segment or one facet by exchanging tets: every exchange leaves fewer obstacles than it found, or is undone.
+// So it ends.
+#pragma once
+#include <vector>
+
+#include "core/index.h"
+#include "mesh/tet_complex.h"
+#include "recover/constraints.h"
+#include "recover/crossings.h"
+#include "recover/flips.h"
+
+namespace crumple::recover {
+
+enum class Outcome {
+    there,    // an edge or face of the tets now
+    stuck,    // no exchange helps
+    through,  // a node lies in it: Liberator::node()
+};
+
+class Liberator {
+public:
+    Liberator(TetComplex& complex, const Constraints& constraints) : complex_(complex), flips_(complex, constraints) {}
+
+    // depth: of edges that may be cleared to clear another one, 0 for none.
+    Outcome free_segment(Index a, Index b, int depth);
+    // REQUIRES: the three edges are there.
+    Outcome free_facet(const Triangle& facet, int depth);
+
+    // After `stuck`: what is left in the way.
+    [[nodiscard]] const std::vector<Crossing>& crossings() const { return crossings_; }
+    [[nodiscard]] const FacetObstacles& obstacles() const { return obstacles_; }
+    [[nodiscard]] Index node() const { return node_; }
+    [[nodiscard]] std::uint64_t exchanges() const { return flips_.count(); }
+
+private:
+    bool exchange_for_segment(const Goal& goal);
+    bool exchange_for_facet(const Goal& goal);
+    bool clear_for_segment(const Goal& goal, int depth);
+    bool clear_for_facet(const Goal& goal, int depth);
+
+    TetComplex& complex_;
+    Flips flips_;
+    std::vector<Crossing> crossings_;
+    FacetObstacles obstacles_;
+    Index node_ = none;
+};
+
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recover/recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/predicates.h"
+#include "recover/deviation.h"
+
+namespace crumple::recover {
+
+namespace {
+
+double squared_length(const TetComplex& complex, const Edge& e) {
+    const Vec3 d = complex.position(e[1]) - complex.position(e[0]);
+    return dot(d, d);
+}
+
+double squared_size(const TetComplex& complex, const Triangle& t) {
+    return std::max({squared_length(complex, {t[0], t[1]}), squared_length(complex, {t[1], t[2]}),
+                     squared_length(complex, {t[2], t[0]})});
+}
+
+// Tets around an edge of `tet` or across one of its faces that hold the place in their inside or on their surface.
+std::vector<Index> holders_of(const TetComplex& complex, const std::vector<Index>& candidates, Vec3 place) {
+    std::vector<Index> holders;
+    for (const Index t : candidates) {
+        bool holds = true;
+        for (int corner = 0; corner < 4 && holds; ++corner) {
+            const auto& face = tet_face_corners[corner];
+            const Tet& tet = complex.corners(t);
+            holds = orient3d(complex.position(tet[face[0]]), complex.position(tet[face[2]]),
+                             complex.position(tet[face[1]]), place) >= 0;
+        }
+        if (holds) holders.push_back(t);
+    }
+    return holders;
+}
+
+std::vector<Index> stars_of(const TetComplex& complex, std::initializer_list<Index> nodes) {
+    std::vector<Index> all;
+    std::vector<Index> star;
+    for (const Index v : nodes) {
+        complex.star_of(v, star);
+        all.insert(all.end(), star.begin(), star.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+}
+
+Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& params, std::size_t max_splits,
+                   const Context& context)
+    : complex_(complex),
+      constraints_(constraints),
+      params_(params),
+      context_(context),
+      liberator_(complex, constraints),
+      splits_left_(max_splits) {}
+
+std::vector<Edge> Recovery::missing_segments() const {
+    std::vector<Edge> missing;
+    for (const Edge& e : constraints_.segments()) {
+        if (!has_edge(e[0], e[1])) missing.push_back(e);
+    }
+    return missing;
+}
+
+std::vector<Triangle> Recovery::missing_facets() const {
+    std::vector<Triangle> missing;
+    for (const Triangle& t : constraints_.facets()) {
+        if (!has_face(t)) missing.push_back(t);
+    }
+    return missing;
+}
+
+bool Recovery::matters(const Edge& segment) const {
+    return params_.mode == Mode::always || deviation_of_segment(complex_, segment) > params_.negligible;
+}
+
+bool Recovery::matters(const Triangle& facet) const {
+    return params_.mode == Mode::always || deviation_of_facet(complex_, facet) > params_.negligible;
+}
+
+// Short ones first: they are the least in the way of others.
+void Recovery::free_segments(int depth) {
+    std::vector<Edge> todo = missing_segments();
+    std::stable_sort(todo.begin(), todo.end(), [&](const Edge& a, const Edge& b) {
+        return squared_length(complex_, a) < squared_length(complex_, b);
+    });
+    for (const Edge& e : todo) {
+        context_.stop_if_cancelled();
+        if (!constraints_.has_segment(e[0], e[1])) continue;
+        if (liberator_.free_segment(e[0], e[1], depth) != Outcome::through) continue;
+        const Index node = liberator_.node();
+        split_segment(constraints_, e[0], e[1], node);
+    }
+}
+
+void Recovery::free_facets(int depth) {
+    std::vector<Triangle> todo = missing_facets();
+    std::stable_sort(todo.begin(), todo.end(), [&](const Triangle& a, const Triangle& b) {
+        return squared_size(complex_, a) < squared_size(complex_, b);
+    });
+    for (const Triangle& t : todo) {
+        context_.stop_if_cancelled();
+        if (!constraints_.has_facet(t[0], t[1], t[2])) continue;
+        if (!has_edge(t[0], t[1]) || !has_edge(t[1], t[2]) || !has_edge(t[2], t[0])) continue;
+        if (liberator_.free_facet(t, depth) != Outcome::through) continue;
+        split_facet(constraints_, t, liberator_.node());
+    }
+}
+
+bool Recovery::split_at_crossing(const Edge& segment) {
+    const Vec3 a = complex_.position(segment[0]);
+    const Vec3 b = complex_.position(segment[1]);
+    // The crossing next to the middle.
+    const Crossing* best = nullptr;
+    double best_share = 0;
+    for (const Crossing& crossing : liberator_.crossings()) {
+        const double share = crossing_share(complex_, segment, crossing);
+        if (!(share > 0 && share < 1)) continue;
+        if (best == nullptr || std::fabs(share - 0.5) < std::fabs(best_share - 0.5)) {
+            best = &crossing;
+            best_share = share;
+        }
+    }
+    if (best == nullptr) return false;
+    const Vec3 place = round_to_float(a + (b - a) * best_share);
+    if (place == a || place == b) return false;
+    const std::vector<Index> candidates = best->count == 3
+                                              ? stars_of(complex_, {best->nodes[0], best->nodes[1], best->nodes[2]})
+                                              : stars_of(complex_, {best->nodes[0], best->nodes[1]});
+    const std::vector<Index> holders = holders_of(complex_, candidates, place);
+    if (holders.empty()) return false;
+    const Index node = insert_node(complex_, constraints_, place, holders);
+    if (node == none) return false;
+    splits_.push_back(split_segment(constraints_, segment[0], segment[1], node));
+    return true;
+}
+
+bool Recovery::split_stuck_segments() {
+    bool has_split = false;
+    for (const Edge& e : missing_segments()) {
+        if (splits_left_ == 0) break;
+        if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1])) continue;
+        const Outcome outcome = liberator_.free_segment(e[0], e[1], static_cast<int>(params_.depth));
+        if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
+        if (outcome != Outcome::stuck || !matters(e)) continue;
+        if (!split_at_crossing(e)) continue;
+        --splits_left_;
+        ++splits_tried_;
+        has_split = true;
+    }
+    return has_split;
+}
+
+bool Recovery::split_at_obstacle(const Triangle& facet) {
+    const Vec3 a = complex_.position(facet[0]);
+    const Vec3 b = complex_.position(facet[1]);
+    const Vec3 c = complex_.position(facet[2]);
+    const Vec3 middle = (a + b + c) / 3;
+    const PiercingEdge* best = nullptr;
+    Vec3 best_place;
+    for (const PiercingEdge& edge : liberator_.obstacles().edges) {
+        if (constraints_.has_segment(edge.nodes[0], edge.nodes[1])) continue;
+        const Vec3 place = piercing_place(complex_, facet, edge.nodes);
+        if (best == nullptr || length(place - middle) < length(best_place - middle)) {
+            best = &edge;
+            best_place = place;
+        }
+    }
+    if (best == nullptr) return false;
+    const Vec3 place = round_to_float(best_place);
+    const std::vector<Index> holders =
+        holders_of(complex_, stars_of(complex_, {best->nodes[0], best->nodes[1]}), place);
+    if (holders.empty()) return false;
+    const Index node = insert_node(complex_, constraints_, place, holders);
+    if (node == none) return false;
+    splits_.push_back(split_facet(constraints_, facet, node));
+    return true;
+}
+
+bool Recovery::split_stuck_facets() {
+    bool has_split = false;
+    for (const Triangle& t : missing_facets()) {
+        if (splits_left_ == 0) break;
+        if (has_face(t) || !has_edge(t[0], t[1]) || !has_edge(t[1], t[2]) || !has_edge(t[2], t[0])) continue;
+        const Outcome outcome = liberator_.free_facet(t, static_cast<int>(params_.depth));
+        if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
+        if (outcome != Outcome::stuck || !matters(t)) continue;
+        if (!split_at_obstacle(t)) continue;
+        --splits_left_;
+        ++splits_tried_;
+        has_split = true;
+    }
+    return has_split;
+}
+
+void Recovery::undo_splits() {
+    std::vector<Split> staying;
+    while (!splits_.empty()) {
+        if (undo_split(complex_, constraints_, splits_.back()) == Undoing::stuck) staying.push_back(splits_.back());
+        splits_.pop_back();
+    }
+    splits_.assign(staying.rbegin(), staying.rend());
+}
+
+void Recovery::run() {
+    const int depth = static_cast<int>(params_.depth);
+    for (int level = 0; level <= depth; ++level) free_segments(level);
+    for (int level = 0; level <= depth; ++level) free_facets(level);
+    for (bool goes_on = true; goes_on;) {
+        goes_on = split_stuck_segments();
+        free_segments(depth);
+        if (!goes_on) goes_on = split_stuck_facets();
+        free_facets(depth);
+    }
+    undo_splits();
+}
+
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last resort where no exchange of tets frees a segment or a facet: a node on it (a Steiner point), which splits it
+// in parts that are easier to free. Once all parts are there the node leaves again, last one first: on each side of the
+// facets that meet at it, its tets are filled anew, from a node that is there or from a new one inside [George,
+// Borouchaki, Saltel 2003, "Ultimate robustness in meshing an arbitrary polyhedron"]. So it usually ends as an interior
+// node, or as none, and the shell stays as it was.
+#pragma once
+#include <vector>
+
+#include "core/index.h"
+#include "mesh/tet_complex.h"
+#include "recover/constraints.h"
+#include "recover/crossings.h"
+
+namespace crumple::recover {
+
+struct Split {
+    Index node = none;
+    Index a = none;  // the segment (a, b), or the facet (a, b, c)
+    Index b = none;
+    Index c = none;
+    std::vector<Index> apexes;   // of the facets at the segment
+    std::vector<Index> origins;  // of those, the shell triangles
+};
+
+// Puts `place` into the tets: they must hold it, in their inside or on a face or edge that they share. Takes away
+// further tets around it so that few circumspheres hold it, none of them across a facet. Tells the new node, or none
+// when not every tet around it would be positive.
+Index insert_node(TetComplex& complex, const Constraints& constraints, Vec3 place, std::vector<Index> holders);
+
+// Makes parts of what a node lies on. The node may be one that was there before.
+Split split_segment(Constraints& constraints, Index a, Index b, Index node);
+Split split_facet(Constraints& constraints, const Triangle& facet, Index node);
+
+enum class Undoing {
+    stuck,        // the node stays
+    gone,         // the node is in no tet any more
+    moved_inside  // the node is gone and new nodes inside took over
+};
+
+// Takes a split's node out again and makes its parts whole. On `stuck` nothing has changed.
+Undoing undo_split(TetComplex& complex, Constraints& constraints, const Split& split);
+
+}
