@@ -17,11 +17,38 @@ Vec3 place(const Corners4& tet, const Weights& w) {
     return tet[0] * w[0] + tet[1] * w[1] + tet[2] * w[2] + tet[3] * w[3];
 }
 
+// Few components meet in one tet, whatever their number.
+class Votes {
+public:
+    // Returns how many that component has now.
+    std::uint32_t add(Index component) {
+        const auto found =
+            std::find_if(votes_.begin(), votes_.end(), [&](const Vote& v) { return v.component == component; });
+        if (found != votes_.end()) return ++found->count;
+        votes_.push_back({component, 1});
+        return 1;
+    }
+
+    // Of equally voted ones the innermost, as everywhere.
+    [[nodiscard]] Index winner(const ShellInterior& interior) const {
+        const auto before = [&](const Vote& a, const Vote& b) {
+            return a.count != b.count ? a.count > b.count : interior.rank(a.component) < interior.rank(b.component);
+        };
+        return votes_.empty() ? none : std::min_element(votes_.begin(), votes_.end(), before)->component;
+    }
+
+private:
+    struct Vote {
+        Index component;
+        std::uint32_t count;
+    };
+    std::vector<Vote> votes_;
+};
+
 class Classifier {
 public:
     Classifier(const Shell& shell, const ShellInterior& interior, const ShellSolid& solid, const Params& params)
-        : shell_(shell),
-          interior_(interior),
+        : interior_(interior),
           all_closed_(solid.all_closed),
           estimates_volume_(!solid.is_exact()),
           clearance_(shell),
@@ -32,7 +59,7 @@ public:
     [[nodiscard]] Verdict judge(const Corners4& tet) const {
         const Vec3 middle = place(tet, {0.25, 0.25, 0.25, 0.25});
         Verdict verdict;
-        verdict.winding = all_closed_ ? 0 : winding_at(middle);
+        verdict.winding = all_closed_ ? 0 : interior_.material_winding(middle);
         if (clearance_.is_clear(tet)) {
             verdict.region = interior_.material_at(middle);
             verdict.inside = verdict.region == none ? 0 : 1;
@@ -43,14 +70,6 @@ public:
     }
 
 private:
-    [[nodiscard]] double winding_at(Vec3 p) const {
-        double largest = 0;
-        for (Index c = 0; c < shell_.components.size(); ++c) {
-            if (shell_.components[c].role != Role::cavity) largest = std::max(largest, interior_.winding(c, p));
-        }
-        return largest;
-    }
-
     [[nodiscard]] bool agrees(const Corners4& tet, Index region) const {
         return std::all_of(few_.begin(), few_.end(),
                            [&](const Weights& w) { return interior_.material_at(place(tet, w)) == region; });
@@ -58,36 +77,27 @@ private:
 
     [[nodiscard]] Verdict vote(const Corners4& tet, Verdict verdict) const {
         verdict.straddles = true;
-        std::vector<std::uint32_t> votes(shell_.components.size(), 0);
+        Votes votes;
         std::uint32_t in_material = 0;
+        std::uint32_t most = 0;
         const auto count = static_cast<double>(many_.size());
         for (std::size_t i = 0; i < many_.size(); ++i) {
             const Index region = interior_.material_at(place(tet, many_[i]));
             if (region != none) {
                 ++in_material;
-                ++votes[region];
+                most = std::max(most, votes.add(region));
             }
             // The share itself is needed only to estimate a volume that cannot be computed.
             if (estimates_volume_) continue;
-            const auto most = static_cast<double>(in_material + many_.size() - 1 - i);
-            if (most <= min_inside_ * count) return verdict;
-            if (region != none && votes[region] > std::max(min_inside_, 0.5) * count) break;
+            const auto reachable = static_cast<double>(in_material + many_.size() - 1 - i);
+            if (reachable <= min_inside_ * count) return verdict;
+            if (most > std::max(min_inside_, 0.5) * count) break;
         }
         verdict.inside = in_material / count;
-        verdict.region = verdict.inside > min_inside_ ? most_voted(votes) : none;
+        verdict.region = verdict.inside > min_inside_ ? votes.winner(interior_) : none;
         return verdict;
     }
 
-    // Of equally voted ones the innermost, as everywhere.
-    [[nodiscard]] Index most_voted(const std::vector<std::uint32_t>& votes) const {
-        Index best = none;
-        for (const Index c : interior_.by_volume()) {
-            if (votes[c] > 0 && (best == none || votes[c] > votes[best])) best = c;
-        }
-        return best;
-    }
-
-    const Shell& shell_;
     const ShellInterior& interior_;
     bool all_closed_;
     bool estimates_volume_;

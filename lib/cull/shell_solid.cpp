@@ -81,12 +81,7 @@ std::vector<Index> surroundings(const Shell& shell, const ShellInterior& interio
     for (std::size_t f = 0; f < shell.triangles.size(); ++f) vertex[shell.component[f]] = shell.triangles[f][0];
     std::vector<Index> around(shell.components.size(), none);
     for (Index c = 0; c < around.size(); ++c) {
-        if (vertex[c] == none) continue;
-        for (const Index other : interior.by_volume()) {
-            if (other == c || interior.winding(other, shell.positions[vertex[c]]) <= 0.5) continue;
-            around[c] = other;
-            break;
-        }
+        if (vertex[c] != none) around[c] = interior.innermost(shell.positions[vertex[c]], c);
     }
     return around;
 }

@@ -18,6 +18,9 @@ struct Box {
             if (p[axis] > high[axis]) high[axis] = p[axis];
         }
     }
+    [[nodiscard]] bool holds(Vec3 p) const {
+        return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z;
+    }
     [[nodiscard]] double diagonal() const { return low.x > high.x ? 0 : length(high - low); }
 };
 

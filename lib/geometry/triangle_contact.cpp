@@ -153,6 +153,12 @@ bool triangles_meet(const Corners& first, const Corners& second) {
     return meet && has_area(a) && has_area(b);
 }
 
+bool is_on_triangle(const Corners& triangle, Vec3 p) {
+    if (!bounding_box(triangle).holds(p) || orient3d(triangle[0], triangle[1], triangle[2], p) != 0) return false;
+    const Projection plane = projection_of(triangle);
+    return plane.u != plane.v && triangle_holds(plane, triangle, p);
+}
+
 // The middle of the nearest points of an alternating walk: each step goes to the nearest point of the other triangle.
 Vec3 contact_place(const Corners& a, const Corners& b) {
     Vec3 place = (b[0] + b[1] + b[2]) / 3;

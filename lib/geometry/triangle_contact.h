@@ -14,6 +14,9 @@ using Corners = std::array<Vec3, 3>;
 // A triangle without area never meets anything.
 [[nodiscard]] bool triangles_meet(const Corners& a, const Corners& b);
 
+// True when p lies on the closed triangle; nothing lies on one without area.
+[[nodiscard]] bool is_on_triangle(const Corners& triangle, Vec3 p);
+
 // Where to look for the contact of two triangles that meet: a point near both, in floating point.
 [[nodiscard]] Vec3 contact_place(const Corners& a, const Corners& b);
 

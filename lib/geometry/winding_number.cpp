@@ -4,68 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "geometry/boundary_loops.h"
 #include "geometry/bvh.h"
+#include "geometry/hole_closure.h"
 #include "geometry/predicates.h"
+#include "geometry/triangle_contact.h"
 
 namespace crumple {
 
 namespace {
 
-// A sum of solid angles kept as a product of unit-sized complex numbers (argument = half the angle) and the number of
-// full turns. One arctangent at the end instead of one a triangle, only +, *, / and sqrt on the way: fast, accurate to
-// a few ulp and the same on every machine.
-class AngleSum {
-public:
-    void add(double real, double imaginary) {
-        // In the plane of the triangle the principal value is no angle at all.
-        if (imaginary == 0 || !std::isfinite(imaginary)) return;
-        const double scale = 1 / (std::fabs(real) + std::fabs(imaginary));
-        real *= scale;
-        imaginary *= scale;
-        const double next_real = real_ * real - imaginary_ * imaginary;
-        const double next_imaginary = real_ * imaginary + imaginary_ * real;
-        // Two angles of one sign may sum to more than half a turn. Counted without branches: signs are random.
-        turns_ += int{imaginary_ >= 0} & int{imaginary > 0} & int{next_imaginary < 0};
-        turns_ -= int{imaginary_ < 0} & int{imaginary < 0} & int{next_imaginary >= 0};
-        real_ = next_real;
-        imaginary_ = next_imaginary;
-        if (std::fabs(real_) + std::fabs(imaginary_) < 0x1p-100) {
-            real_ *= 0x1p100;
-            imaginary_ *= 0x1p100;
-        }
-    }
-
-    // Of the whole sphere. Adding 0 turns -0 into 0, so that the half turn has one sign.
-    [[nodiscard]] double fraction() const {
-        return turns_ + std::atan2(imaginary_ + 0.0, real_) / (2 * std::numbers::pi);
-    }
-
-private:
-    double real_ = 1;
-    double imaginary_ = 0;
-    int turns_ = 0;
-};
-
-// tan(angle / 2) of a triangle seen from p [Van Oosterom and Strackee 1983]. Near the triangle's plane the exact sign
-// decides on which side p is, as it does for the ray: the two must agree, or a whole turn goes astray.
-void add_triangle(AngleSum& sum, Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
-    const Vec3 to_a = a - p;
-    const Vec3 to_b = b - p;
-    const Vec3 to_c = c - p;
-    const double far_a = length(to_a);
-    const double far_b = length(to_b);
-    const double far_c = length(to_c);
-    const double size = far_a * far_b * far_c;
-    double volume = dot(to_a, cross(to_b, to_c));
-    if (!(std::fabs(volume) > 1e-12 * size)) {
-        const int side = -orient3d(a, b, c, p);
-        volume = side * std::max(std::fabs(volume), std::numeric_limits<double>::min());
-    }
-    sum.add(size + dot(to_a, to_b) * far_c + dot(to_b, to_c) * far_a + dot(to_c, to_a) * far_b, volume);
-}
+// On a surface the winding number is one half to rounding: without a margin noise would decide there.
+constexpr double enclosing = 0.5 + 1e-9;
 
 // A ray along one axis, seen along it: u and v are the other two, so that u, v, axis is a right-handed turn.
 struct Ray {
@@ -129,14 +80,16 @@ int passage(const Ray& ray, const Vec3* corners) {
 
 struct WindingNumber::Surface {
     std::vector<Vec3> vertices;                  // in lexicographic order, each place once
-    std::vector<std::array<Vec3, 3>> triangles;  // closed: the surface and the fans, those turned round
-    std::vector<std::array<Vec3, 3>> fans;       // with the boundary of the surface
-    Bvh tree;                                    // over triangles
+    std::vector<std::array<Vec3, 3>> triangles;  // closed: the surface and then what closes it, turned round
+    Index own_count = 0;                         // of the surface itself
+    HoleClosure closure;
+    Bvh tree;  // over triangles
     Box box;
 
     std::vector<Triangle> number_by_place(std::span<const Vec3> positions, std::span<const Triangle> faces);
     void close(std::span<const Triangle> faces);
     [[nodiscard]] double count_along_ray(Vec3 p) const;
+    [[nodiscard]] double whole_at(Vec3 p) const { return box.holds(p) ? count_along_ray(p) : 0; }
 };
 
 // Numbers vertices by place and sorts the triangles, so that neither the input's order nor its welding shows.
@@ -165,13 +118,14 @@ std::vector<Triangle> WindingNumber::Surface::number_by_place(std::span<const Ve
 
 void WindingNumber::Surface::close(std::span<const Triangle> faces) {
     for (const auto& [a, b, c] : faces) triangles.push_back({vertices[a], vertices[b], vertices[c]});
+    own_count = static_cast<Index>(triangles.size());
+    std::vector<std::vector<Vec3>> rims;
     for (const std::vector<Index>& loop : boundary_loops(faces)) {
-        for (std::size_t i = 2; i < loop.size(); ++i) {
-            const Vec3 apex = vertices[loop[0]];
-            fans.push_back({apex, vertices[loop[i - 1]], vertices[loop[i]]});
-            triangles.push_back({apex, vertices[loop[i]], vertices[loop[i - 1]]});
-        }
+        rims.emplace_back();
+        for (const Index v : loop) rims.back().push_back(vertices[v]);
     }
+    closure = HoleClosure(rims);
+    for (const auto& [a, b, c] : closure.triangles()) triangles.push_back({a, c, b});
     std::vector<Box> boxes;
     boxes.reserve(triangles.size());
     for (const auto& corners : triangles) boxes.push_back(bounding_box(corners));
@@ -205,15 +159,28 @@ WindingNumber::~WindingNumber() = default;
 WindingNumber::WindingNumber(WindingNumber&&) noexcept = default;
 WindingNumber& WindingNumber::operator=(WindingNumber&&) noexcept = default;
 
-double WindingNumber::at(Vec3 p) const {
-    const Box& box = surface_->box;
-    const bool is_within = p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x &&
-                           p.y <= box.high.y && p.z <= box.high.z;
-    const double whole = is_within ? surface_->count_along_ray(p) : 0;
-    if (surface_->fans.empty()) return whole;
-    AngleSum sum;
-    for (const auto& [a, b, c] : surface_->fans) add_triangle(sum, a, b, c, p);
-    return whole + sum.fraction();
+double WindingNumber::at(Vec3 p, double tolerance) const {
+    const double whole = surface_->whole_at(p);
+    return surface_->closure.empty() ? whole : whole + surface_->closure.share(p, tolerance);
+}
+
+bool WindingNumber::encloses(Vec3 p) const {
+    const double whole = surface_->whole_at(p);
+    if (surface_->closure.empty()) return std::fabs(whole) > enclosing;
+    for (const double tolerance : {0.2, 0.02, 0.002}) {
+        const double roughly = std::fabs(whole + surface_->closure.share(p, tolerance));
+        if (std::fabs(roughly - enclosing) > tolerance + 1e-9) return roughly > enclosing;
+    }
+    return std::fabs(whole + surface_->closure.share(p)) > enclosing;
+}
+
+bool WindingNumber::is_on_surface(Vec3 p) const {
+    bool is_on = false;
+    surface_->tree.containing(p, [&](Index t) {
+        is_on = t < surface_->own_count && is_on_triangle(surface_->triangles[t], p);
+        return is_on;
+    });
+    return is_on;
 }
 
 }

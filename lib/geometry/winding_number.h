@@ -2,8 +2,9 @@
 // Generalized winding number of a triangle soup [Jacobson, Kavan, Sorkine-Hornung 2013]: 1 inside a closed outward
 // surface, 0 outside, in between where the surface is open, one half on the surface itself.
 //
-// A fan over each boundary loop closes the surface. The winding number of the closed one is a whole number, counted
-// exactly along a ray; the solid angle of the fans, of which a closed surface has none, is what the holes let through.
+// Triangles over each boundary loop close the surface. The winding number of the closed one is a whole number, counted
+// exactly along a ray; the solid angle of those triangles, of which a closed surface has none, is what the holes let
+// through.
 #pragma once
 #include <memory>
 #include <span>
@@ -23,9 +24,16 @@ public:
     WindingNumber(WindingNumber&&) noexcept;
     WindingNumber& operator=(WindingNumber&&) noexcept;
 
-    // A multiple of one half, exact, for a closed surface; within 1e-9 for an open one. Costs a ray through the
-    // triangles and one solid angle a boundary edge.
-    [[nodiscard]] double at(Vec3 p) const;
+    // A multiple of one half, exact, for a closed surface; within tolerance + 1e-9 for an open one. Costs a ray through
+    // the triangles and a solid angle a boundary edge, of which a tolerance leaves out those far away.
+    [[nodiscard]] double at(Vec3 p, double tolerance = 0) const;
+
+    // Whether |at(p)| is above one half by more than rounding, so that a point on the surface is outside. Faster than
+    // at(p): it asks for no more than the decision needs.
+    [[nodiscard]] bool encloses(Vec3 p) const;
+
+    // Whether p lies on a triangle, exactly.
+    [[nodiscard]] bool is_on_surface(Vec3 p) const;
 
 private:
     struct Surface;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -24,17 +25,26 @@ std::vector<std::vector<Triangle>> triangles_by_component(const Shell& shell, st
     return result;
 }
 
-std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
-    std::string name = wanted;
-    for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "." + std::to_string(number);
-    return name;
-}
+class UniqueNames {
+public:
+    std::string take(const std::string& wanted) {
+        std::string name = wanted;
+        // Thousands of pieces may want one name: each goes on where the last one left off.
+        for (int& number = last_.try_emplace(wanted, 1).first->second; !taken_.insert(name).second;)
+            name = wanted + "." + std::to_string(++number);
+        return name;
+    }
+
+private:
+    std::map<std::string, int> last_;
+    std::set<std::string> taken_;
+};
 
 void name_components(const Surface& surface, const Components& components, Shell& shell) {
-    std::set<std::string> taken;
+    UniqueNames names;
     for (const ComponentFacts& facts : components.facts) {
         Component component;
-        component.name = unique_name(surface.objects[facts.object].name, taken);
+        component.name = names.take(surface.objects[facts.object].name);
         component.material = surface.parts[facts.part].material;
         component.is_closed = facts.is_closed;
         component.is_inward = facts.signed_volume < 0;

@@ -22,22 +22,13 @@ struct Move {
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-// On a surface the winding number of its component lies halfway between two whole numbers.
-bool is_on_shell(const ShellInterior& interior, Vec3 p) {
-    const std::span<const Index> components = interior.by_volume();
-    return std::any_of(components.begin(), components.end(), [&](Index component) {
-        const double winding = interior.winding(component, p);
-        return std::fabs(winding - std::floor(winding) - 0.5) < 1e-9;
-    });
-}
-
 // The longest step that ends in the node's own material, off the shell.
 Move move_towards(Vec3 target, Vec3 from, Index material, const ShellInterior& interior) {
     if (!is_finite(target)) return {from, true};
     for (const double step : steps) {
         const Vec3 place = round_to_float(from + (target - from) * step);
         if (place == from) return {from, step < 1};
-        if (interior.material_at(place) == material && !is_on_shell(interior, place)) return {place, step < 1};
+        if (interior.material_at(place) == material && !interior.is_on_surface(place)) return {place, step < 1};
     }
     return {from, true};
 }

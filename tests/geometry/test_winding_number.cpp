@@ -169,5 +169,59 @@ TEST(WindingNumber, ScaleAndPlaceDoNotMatter) {
     }
 }
 
+// Small rims and one that runs over most of the torus.
+Soup torn_torus() {
+    Soup soup = wavy_torus(40, 24);
+    std::erase_if(soup.triangles, [&](const Triangle& t) { return t[0] % 97 == 0 || t[0] % 24 < 5; });
+    return soup;
+}
+
+TEST(WindingNumber, EnclosesWhereTheNumberIsAboveOneHalf) {
+    for (const Soup& soup : {wavy_torus(40, 24), torn_torus()}) {
+        const WindingNumber winding(soup.positions, soup.triangles);
+        int enclosed = 0;
+        for (const Vec3 p : points_around(17, 3000)) {
+            EXPECT_EQ(winding.encloses(p), std::fabs(winding.at(p)) > 0.5 + 1e-9);
+            enclosed += winding.encloses(p);
+        }
+        EXPECT_GT(enclosed, 50);
+    }
+}
+
+TEST(WindingNumber, OfAnOpenSurfaceIsAsNearAsAskedFor) {
+    const Soup soup = torn_torus();
+    const WindingNumber winding(soup.positions, soup.triangles);
+    for (const double tolerance : {0.2, 0.01, 1e-4}) {
+        for (const Vec3 p : points_around(19, 500)) EXPECT_NEAR(winding.at(p, tolerance), winding.at(p), tolerance);
+    }
+}
+
+TEST(WindingNumber, OfADiscIsKnown) {
+    // Seen from height h over the middle of a disc of radius 1: (1 - h / sqrt(1 + h^2)) / 2 of the sphere.
+    Soup disc;
+    const int count = 4000;
+    disc.positions.push_back({0, 0, 0});
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        disc.positions.push_back({std::cos(angle), std::sin(angle), 0});
+        disc.triangles.push_back({0, static_cast<Index>(i + 1), static_cast<Index>((i + 1) % count + 1)});
+    }
+    const WindingNumber winding(disc.positions, disc.triangles);
+    for (const double h : {0.1, 1.0, 5.0}) EXPECT_NEAR(winding.at({0, 0, -h}), (1 - h / std::hypot(1, h)) / 2, 1e-6);
+    EXPECT_NEAR(winding.at({0, 0, 1}), -winding.at({0, 0, -1}), 1e-12);
+}
+
+TEST(WindingNumber, KnowsExactlyWhatLiesOnTheSurface) {
+    const Shell box = shapes::without_triangle(shapes::subdivided_box(2, {0, 0, 0}, {2, 2, 2}), 0);
+    const WindingNumber winding(box.positions, box.triangles);
+    EXPECT_TRUE(winding.is_on_surface({1, 1, 2}));
+    EXPECT_TRUE(winding.is_on_surface({2, 0.25, 1.5}));
+    EXPECT_FALSE(winding.is_on_surface({2, 0.25, std::nextafter(2.0, 3.0)}));
+    EXPECT_FALSE(winding.is_on_surface({1, 1, 1}));
+    const auto& [a, b, c] = shapes::subdivided_box(2, {0, 0, 0}, {2, 2, 2}).triangles[0];
+    const Vec3 in_the_hole = (box.positions[a] * 2.0 + box.positions[b] + box.positions[c]) * 0.25;
+    EXPECT_FALSE(winding.is_on_surface(in_the_hole));
+}
+
 }
 }

@@ -44,5 +44,34 @@ TEST(ShellInterior, ASmallHoleIsForgiven) {
     EXPECT_NEAR(interior.winding(0, {0, 0, 0}), 1 - 1 / 1280.0, 2e-4);
 }
 
+TEST(ShellInterior, ThousandsOfPiecesAnswerAsOneWould) {
+    Shell pieces;
+    for (int x = 0; x < 12; ++x) {
+        for (int y = 0; y < 12; ++y) {
+            for (int z = 0; z < 12; ++z) {
+                const Vec3 low{x * 2.0, y * 2.0, z * 2.0};
+                pieces = shapes::joined(std::move(pieces),
+                                        shapes::without_triangle(shapes::box(low, low + Vec3{1, 1, 1}), 0));
+            }
+        }
+    }
+    const ShellInterior interior(pieces);
+    for (Index c = 0; c < pieces.components.size(); c += 100) {
+        const Vec3 low = pieces.positions[c * 8];
+        EXPECT_EQ(interior.innermost(low + Vec3{0.5, 0.5, 0.5}), c);
+        EXPECT_EQ(interior.innermost(low + Vec3{0.5, 0.5, 0.5}, c), none);
+        EXPECT_EQ(interior.innermost(low + Vec3{1.5, 0.5, 0.5}), none);
+        EXPECT_NEAR(interior.material_winding(low + Vec3{0.5, 0.5, 0.5}), 11 / 12.0, 0.02);
+        EXPECT_EQ(interior.by_volume()[interior.rank(c)], c);
+    }
+}
+
+TEST(ShellInterior, KnowsWhatLiesOnASurface) {
+    const ShellInterior interior(shapes::nested_boxes(Role::cavity));
+    EXPECT_TRUE(interior.is_on_surface({1, 1.5, 1.25}));
+    EXPECT_TRUE(interior.is_on_surface({3, 3, 3}));
+    EXPECT_FALSE(interior.is_on_surface({1.5, 1.5, 1.5}));
+}
+
 }
 }
