@@ -25,8 +25,8 @@ namespace {
 template <class Array>
 void expect_size(const Array& array, std::size_t size, std::string_view name, Complaints& complaints) {
     if (array.size() != size) {
-        complaints.add("BUNDLE_SIZE", "arrays that belong together differ in length; place names the array", none, {},
-                       name);
+        complaints.add("BUNDLE_SIZE", "arrays that belong together differ in length; place names the array", none,
+                       no_place, name);
     }
 }
 
@@ -35,7 +35,7 @@ void expect_below(const Array& indices, std::size_t limit, std::string_view name
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] >= limit) {
             complaints.add("BUNDLE_INDEX", "an index points past the end; place names the array and its row",
-                           static_cast<Index>(i), {}, name);
+                           static_cast<Index>(i), no_place, name);
         }
     }
 }
@@ -45,7 +45,7 @@ void expect_rows_below(const Rows& rows, std::size_t limit, std::string_view nam
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (std::any_of(rows[i].begin(), rows[i].end(), [&](Index value) { return value >= limit; })) {
             complaints.add("BUNDLE_INDEX", "an index points past the end; place names the array and its row",
-                           static_cast<Index>(i), {}, name);
+                           static_cast<Index>(i), no_place, name);
         }
     }
 }
@@ -54,7 +54,7 @@ void expect_rows_below(const Rows& rows, std::size_t limit, std::string_view nam
 void expect_starts(const std::vector<Index>& starts, std::size_t end, std::string_view name, Complaints& complaints) {
     if (starts.front() != 0 || starts.back() != end || !std::is_sorted(starts.begin(), starts.end())) {
         complaints.add("BUNDLE_INDEX", "row starts do not rise from 0 to the number of entries; place names the array",
-                       none, {}, name);
+                       none, no_place, name);
     }
 }
 
@@ -70,14 +70,15 @@ void expect_finite(const Array& values, std::string_view name, Complaints& compl
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!is_finite(values[i])) {
             complaints.add("BUNDLE_NUMBER", "a number is not finite; place names the array and its row",
-                           static_cast<Index>(i), {}, name);
+                           static_cast<Index>(i), no_place, name);
         }
     }
 }
 
 void expect_flags(const std::vector<std::uint8_t>& flags, std::string_view name, Complaints& complaints) {
     for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i] > 1) complaints.add("BUNDLE_NUMBER", "a flag is not 0 or 1", static_cast<Index>(i), {}, name);
+        if (flags[i] > 1)
+            complaints.add("BUNDLE_NUMBER", "a flag is not 0 or 1", static_cast<Index>(i), no_place, name);
     }
 }
 
@@ -93,7 +94,7 @@ void check_table_sizes(const Bundle& b, Complaints& complaints) {
     }
     for (const BundleSensor& sensor : b.sensors) {
         expect_size(sensor.weight, sensor.node.size(), sensor.name + "/weight", complaints);
-        if (sensor.node.empty()) complaints.add("BUNDLE_SENSOR", "a sensor has no nodes", none, {}, sensor.name);
+        if (sensor.node.empty()) complaints.add("BUNDLE_SENSOR", "a sensor has no nodes", none, no_place, sensor.name);
     }
 }
 
@@ -165,12 +166,13 @@ void check_numbers(const Bundle& b, Complaints& complaints) {
     for (const BundleSensor& sensor : b.sensors) {
         expect_finite(sensor.weight, sensor.name + "/weight", complaints);
         if (!is_finite(sensor.rest_origin) || !is_finite(sensor.rest_axes)) {
-            complaints.add("BUNDLE_NUMBER", "a number is not finite; place names the array", none, {}, sensor.name);
+            complaints.add("BUNDLE_NUMBER", "a number is not finite; place names the array", none, no_place,
+                           sensor.name);
         }
     }
     for (const Material& material : b.materials) {
         if (!first_field_out_of_range(material).empty()) {
-            complaints.add("BUNDLE_MATERIAL", "a material has a number out of range; place names it", none, {},
+            complaints.add("BUNDLE_MATERIAL", "a material has a number out of range; place names it", none, no_place,
                            material.name);
         }
     }

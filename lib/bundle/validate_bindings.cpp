@@ -18,7 +18,7 @@ void check_names(const std::vector<Named>& items, Complaints& complaints) {
     std::sort(names.begin(), names.end());
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i].empty() || (i > 0 && names[i] == names[i - 1])) {
-            complaints.add("BUNDLE_NAME", "a name is empty or used twice", none, {}, names[i]);
+            complaints.add("BUNDLE_NAME", "a name is empty or used twice", none, no_place, names[i]);
         }
     }
 }
@@ -36,26 +36,31 @@ double inside_tolerance(const Bundle& b, const Tet& tet) {
     return 1e-6 + 1e-14 * size * size * size / volume;
 }
 
+// The flag says what the weights say, but for rounding.
+bool is_flag_true(const Bundle& b, const BundleVisual& visual, std::size_t v, float least) {
+    const bool seems_inside = least >= 0;
+    if (seems_inside == (visual.inside[v] != 0)) return true;
+    return std::fabs(least) <= inside_tolerance(b, b.tets[visual.tet[v]]);
+}
+
 void check_vertex(const Bundle& b, const BundleVisual& visual, std::size_t v, Complaints& complaints) {
+    const std::array<float, 4>& weights = visual.barycentric[v];
     double sum = 0;
     double size = 0;
-    float least = 0;
-    for (const float w : visual.barycentric[v]) {
+    for (const float w : weights) {
         sum += w;
         size += std::fabs(w);
-        least = std::min(least, w);
     }
-    const auto vertex = static_cast<Index>(v);
-    if (!(std::fabs(sum - 1) <= weight_sum_tolerance * size)) {
-        complaints.add("BUNDLE_BINDING", "the weights of a visual vertex do not sum to 1", vertex, {}, visual.name);
-    }
-    if (visual.distance[v] < 0 || (visual.inside[v] && visual.distance[v] != 0)) {
-        complaints.add("BUNDLE_BINDING", "a visual vertex is inside at a distance, or at a negative one", vertex, {},
-                       visual.name);
-    }
-    if (visual.inside[v] && least < 0 && least < -inside_tolerance(b, b.tets[visual.tet[v]])) {
-        complaints.add("BUNDLE_BINDING", "a visual vertex is called inside but has a negative weight", vertex, {},
-                       visual.name);
+    const auto complain = [&](const char* message) {
+        complaints.add("BUNDLE_BINDING", message, static_cast<Index>(v), no_place, visual.name);
+    };
+    if (!(std::fabs(sum - 1) <= weight_sum_tolerance * size))
+        complain("the weights of a visual vertex do not sum to 1");
+    if (visual.distance[v] < 0 || (visual.inside[v] && visual.distance[v] != 0))
+        complain("a visual vertex is inside at a distance, or at a negative one");
+    if (!is_flag_true(b, visual, v, *std::min_element(weights.begin(), weights.end()))) {
+        complain(visual.inside[v] ? "a visual vertex is called inside but has a negative weight"
+                                  : "a visual vertex is called outside but has no negative weight");
     }
 }
 
@@ -66,7 +71,7 @@ void check_inverse_table(const Bundle& b, const BundleVisual& visual, Complaints
             const Index vertex = visual.vertices_by_tet[k];
             const bool ascends = k == visual.tet_start[t] || visual.vertices_by_tet[k - 1] < vertex;
             if (visual.tet[vertex] != t || !ascends) {
-                complaints.add("BUNDLE_BINDING", "vertices_by_tet and tet disagree", vertex, {}, visual.name);
+                complaints.add("BUNDLE_BINDING", "vertices_by_tet and tet disagree", vertex, no_place, visual.name);
             }
         }
     }
@@ -88,11 +93,11 @@ void check_weights(const BundleSensor& sensor, Complaints& complaints) {
         sum += sensor.weight[k];
         if (!(sensor.weight[k] > 0) || (k > 0 && sensor.node[k - 1] >= sensor.node[k])) {
             complaints.add("BUNDLE_SENSOR", "a sensor's nodes do not ascend or a weight is not positive",
-                           sensor.node[k], {}, sensor.name);
+                           sensor.node[k], no_place, sensor.name);
         }
     }
     if (!(std::fabs(sum - 1) <= weight_sum_tolerance)) {
-        complaints.add("BUNDLE_SENSOR", "a sensor's weights do not sum to 1", none, {}, sensor.name);
+        complaints.add("BUNDLE_SENSOR", "a sensor's weights do not sum to 1", none, no_place, sensor.name);
     }
 }
 

@@ -9,10 +9,13 @@
 
 namespace crumple {
 
+// The position of what has none.
+constexpr Vec3f no_place{static_cast<float>(nowhere.x), static_cast<float>(nowhere.y), static_cast<float>(nowhere.z)};
+
 class Complaints {
 public:
     // The message is that of the first offender of its code.
-    void add(const char* code, const char* message, Index element = none, Vec3f position = {},
+    void add(const char* code, const char* message, Index element = none, Vec3f position = no_place,
              std::string_view name = {});
     [[nodiscard]] bool empty() const { return findings_.empty(); }
     [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }

@@ -2,6 +2,7 @@
 // Something a person should know about an asset: a stable code, how bad, how often, and where the first few are.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,12 @@ namespace crumple {
 
 enum class Severity { info, warning, error };
 
+// The position of what has none: a name, an array, a whole file.
+inline constexpr Vec3 nowhere{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                              std::numeric_limits<double>::quiet_NaN()};
+
 struct Place {
-    Vec3 position;         // metres, in the asset's space
+    Vec3 position;         // metres, in the asset's space, or nowhere
     Index element = none;  // vertex, triangle or tet, as the finding's code says
     std::string name;      // what the artist knows it by: component, mesh or material; may be empty
 };

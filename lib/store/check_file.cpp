@@ -7,6 +7,7 @@
 #include "bundle/validate.h"
 #include "core/error.h"
 #include "store/bundle_file.h"
+#include "store/check_view.h"
 
 namespace crumple::store {
 namespace {
@@ -17,7 +18,7 @@ void complain(std::vector<Finding>& findings, const char* code, const char* mess
     auto finding = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
     if (finding == findings.end()) finding = findings.insert(findings.end(), {code, Severity::error, message, 0, {}});
     ++finding->count;
-    if (finding->places.size() < max_places) finding->places.push_back({{}, none, path});
+    if (finding->places.size() < max_places) finding->places.push_back({nowhere, none, path});
 }
 
 // The list in /digest; empty with a complaint when it does not agree with itself.
@@ -55,18 +56,6 @@ Dataset read_attribute_at(const FileReader& file, const std::string& path) {
     return file.read_attribute(path.substr(0, at), path.substr(at + 1));
 }
 
-// The view shows what the bundle says. Where it links to the bundle's own arrays that is certain.
-void check_vtk_view(const FileReader& file, const Bundle& bundle, std::vector<Finding>& findings) {
-    if (!file.has("/VTKHDF")) return;
-    const auto connectivity = file.read<std::int64_t>("/VTKHDF/Connectivity");
-    bool agrees =
-        connectivity.size() == 4 * bundle.tets.size() && file.read<Vec3f>("/VTKHDF/Points") == bundle.rest_positions;
-    for (std::size_t i = 0; agrees && i < connectivity.size(); ++i) {
-        agrees = connectivity[i] == static_cast<std::int64_t>(bundle.tets[i / 4][i % 4]);
-    }
-    if (!agrees) complain(findings, "FILE_VIEW", "the VTKHDF view shows another mesh than the bundle", "/VTKHDF");
-}
-
 }
 
 std::vector<Finding> verify_digests(const FileReader& file) {
@@ -87,9 +76,17 @@ namespace {
 
 void check_bundle(const FileReader& file, CheckedFile& checked) {
     checked.bundle = read_bundle(file);
-    check_vtk_view(file, *checked.bundle, checked.findings);
+    for (const std::string& path : find_view_differences(file, *checked.bundle)) {
+        complain(checked.findings, "FILE_VIEW", "the view for ParaView shows something else than the bundle says",
+                 path);
+    }
     const std::vector<Finding> wrong = validate(*checked.bundle);
     checked.findings.insert(checked.findings.end(), wrong.begin(), wrong.end());
+}
+
+// A finding is about the file: it need not say which.
+std::string without_name(const std::string& message, const std::string& name) {
+    return message.starts_with(name + ": ") ? message.substr(name.size() + 2) : message;
 }
 
 }
@@ -102,7 +99,7 @@ CheckedFile check_file(std::vector<std::byte> image, const std::string& name) {
         checked.digest = content_digest(file);
         if (has_bundle(file)) check_bundle(file, checked);
     } catch (const Error& error) {
-        checked.findings.push_back({"FILE_UNREADABLE", Severity::error, error.what(), 1, {{{}, none, name}}});
+        checked.findings.push_back({"FILE_UNREADABLE", Severity::error, without_name(error.what(), name), 1, {}});
     }
     return checked;
 }

@@ -25,8 +25,8 @@ struct CheckedFile {
     std::vector<Finding> findings;  // severity error: damage or a broken invariant
 };
 
-// Never throws for what is in the bytes. HDF5 itself has been seen to crash on hostile files with a forged seal: run it
-// in a sandbox. The name is for messages.
+// Never throws for what is in the bytes; the findings do not repeat the name. HDF5 itself has been seen to crash on
+// hostile files with a forged seal: run it in a sandbox. The name is for messages.
 [[nodiscard]] CheckedFile check_file(std::vector<std::byte> image, const std::string& name);
 
 }

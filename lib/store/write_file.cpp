@@ -46,13 +46,24 @@ fs::path follow_links(const std::string& path) {
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
+// A rename would replace a file that nobody may write; who protects a file does not expect that.
+void check_may_replace(const fs::path& path, const fs::path& target, const fs::file_status& status) {
+    constexpr fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    if ((status.permissions() & any_write) == fs::perms::none)
+        fail(path, "it is there already and read-only; make it writable (chmod u+w) or remove it");
+    if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+        fail(path, "it is there already and belongs to others: " + reason(errno));
+}
+
 fs::path checked_target(const std::string& path) {
     const fs::path target = follow_links(path);
     std::error_code error;
     const fs::file_status status = fs::status(target, error);
+    if (error && status.type() == fs::file_type::none) fail(path, error.message());
     if (path.empty() || !target.has_filename()) fail(path, "it names no file");
     if (fs::is_directory(status)) fail(path, "it is a folder");
     if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a plain file");
+    if (fs::exists(status)) check_may_replace(path, target, status);
     if (!fs::is_directory(folder_of(target), error))
         fail(path, "the folder " + folder_of(target).string() + " does not exist");
     return target;

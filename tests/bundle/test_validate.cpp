@@ -102,6 +102,7 @@ const std::vector<Damage>& damages() {
          [](Bundle& b) {
              b.visuals[0].barycentric[0] = {1.1f, -0.1f, 0, 0};
          }},
+        {"outside with positive weights", "BUNDLE_BINDING", [](Bundle& b) { b.visuals[0].inside[0] = 0; }},
         {"inside at a distance", "BUNDLE_BINDING", [](Bundle& b) { b.visuals[0].distance[0] = 1; }},
         {"negative distance", "BUNDLE_BINDING", [](Bundle& b) { b.visuals[0].distance.back() = -1; }},
         {"inverse table disagrees", "BUNDLE_BINDING",

@@ -70,6 +70,18 @@ TEST(WriteFile, RefusesWhatIsNoPlainFile) {
     EXPECT_THROW((void)store::read_file(folder.file("pipe")), Error) << "and does not wait for a writer";
 }
 
+TEST(WriteFile, DoesNotReplaceAFileThatIsReadOnly) {
+    const TemporaryFolder folder;
+    store::write_file(folder.file("a"), bytes_of("old"));
+    std::filesystem::permissions(folder.file("a"), std::filesystem::perms(0444));
+    EXPECT_NE(complaint_of(folder.file("a")).find("chmod u+w"), std::string::npos);
+    EXPECT_THROW(store::check_can_write(folder.file("a")), Error);
+    EXPECT_EQ(store::read_file(folder.file("a")), bytes_of("old"));
+    std::filesystem::permissions(folder.file("a"), std::filesystem::perms(0644));
+    store::write_file(folder.file("a"), bytes_of("new"));
+    EXPECT_EQ(store::read_file(folder.file("a")), bytes_of("new"));
+}
+
 // In a child that is nobody, because root may write everywhere.
 TEST(WriteFile, SaysThatTheFolderIsReadOnlyAndKeepsTheOldFile) {
     const TemporaryFolder folder;
