@@ -9,6 +9,16 @@ namespace crumple::cli {
 
 namespace {
 
+// The parser would take the sign for the first letter of a name.
+void append_word(const std::string& word, std::vector<std::string>& arguments) {
+    if (word.starts_with("-o=")) {
+        arguments.push_back("-o");
+        arguments.push_back(word.substr(3));
+    } else {
+        arguments.push_back(word);
+    }
+}
+
 void append_lines(const std::string& path, std::vector<std::string>& arguments) {
     const std::vector<std::byte> bytes = store::read_file(path);
     std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -17,7 +27,7 @@ void append_lines(const std::string& path, std::vector<std::string>& arguments) 
         std::string_view line = rest.substr(0, end);
         rest.remove_prefix(std::min(end + 1, rest.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
-        if (!line.empty()) arguments.emplace_back(line);
+        if (!line.empty()) append_word(std::string(line), arguments);
     }
 }
 
@@ -30,7 +40,7 @@ std::vector<std::string> expand_arguments(int count, const char* const* words) {
         if (word.size() > 1 && word[0] == '@')
             append_lines(word.substr(1), arguments);
         else
-            arguments.push_back(word);
+            append_word(word, arguments);
     }
     return arguments;
 }

@@ -11,6 +11,7 @@
 #include "pipeline/progress.h"
 #include "report/json_writer.h"
 #include "report/number_text.h"
+#include "report/printable.h"
 #include "report/text_view.h"
 
 namespace crumple::cli {
@@ -21,6 +22,7 @@ using pipeline::ProgressEvent;
 using pipeline::ProgressLine;
 using pipeline::Stage;
 using pipeline::StageRun;
+using pipeline::UsageMeter;
 
 void put(std::FILE* stream, std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stream);
@@ -33,9 +35,9 @@ void put_line(const ProgressLine& line) {
 
 pipeline::Observer json_observer() {
     pipeline::Observer observer;
-    observer.begin = [](const Stage& stage) { put_line({ProgressEvent::begin, std::string(stage.name), "", 0, {}}); };
-    observer.progress = [](const Stage& stage, std::string_view step, double fraction) {
-        put_line({ProgressEvent::step, std::string(stage.name), std::string(step), fraction, {}});
+    observer.begin = [](const Stage& stage) { put_line({ProgressEvent::begin, std::string(stage.name)}); };
+    observer.progress = [](const Stage& stage, std::string_view step, double fraction, const UsageMeter& meter) {
+        put_line({ProgressEvent::step, std::string(stage.name), std::string(step), fraction, meter.read()});
     };
     observer.end = [](const Stage& stage, const StageRun& run, report::Described) {
         put_line({ProgressEvent::end, std::string(stage.name), "", 1, run.usage});
@@ -50,7 +52,7 @@ pipeline::Observer terminal_observer() {
     observer.begin = [](const Stage& stage) { put(stderr, erase_line + std::string(stage.name) + " ..."); };
     // Writing to a terminal costs more than many a step: only what changes the line is shown.
     const auto shown = std::make_shared<std::string>();
-    observer.progress = [shown](const Stage& stage, std::string_view step, double fraction) {
+    observer.progress = [shown](const Stage& stage, std::string_view step, double fraction, const UsageMeter&) {
         const std::string line = std::string(stage.name) + " " + report::printable(step) + " " +
                                  std::to_string(std::lround(100 * fraction)) + " %";
         if (line == *shown) return;
@@ -83,19 +85,19 @@ void Console::result(std::string_view text) const {
 }
 
 void Console::talk(std::string_view text) const {
-    if (!is_quiet) put(stderr, text);
+    if (!is_quiet && !is_for_programs()) put(stderr, text);
 }
 
 void Console::explain(std::string_view text) const {
-    if (is_verbose) put(stderr, text);
+    if (is_verbose && !is_for_programs()) put(stderr, text);
 }
 
-void Console::error(std::string_view message) const {
-    put(stderr, std::string(colors_talk_ ? "\033[31merror:\033[0m " : "error: ") + std::string(message) + "\n");
-}
-
-void Console::warn(std::string_view message) const {
-    talk(std::string(colors_talk_ ? "\033[33mwarning:\033[0m " : "warning: ") + std::string(message) + "\n");
+void Console::error(std::string_view message, std::string_view hint) const {
+    const std::string line = report::shortened(message, report::longest_message);
+    if (is_for_programs()) return put_line({.event = ProgressEvent::error, .message = line});
+    if (shown_progress() == ProgressStyle::tty) put(stderr, erase_line);
+    put(stderr, (colors_talk_ ? "\033[31merror:\033[0m " : "error: ") + report::printable(line) + "\n");
+    put(stderr, hint);
 }
 
 ProgressStyle Console::shown_progress() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results go to stdout, talk and progress to stderr.
+// Results go to stdout, talk and progress to stderr; with --progress json everything on stderr is a line of JSON.
 #pragma once
 #include <string>
 #include <string_view>
@@ -23,8 +23,8 @@ public:
     void result(std::string_view text) const;   // stdout, as it is
     void talk(std::string_view text) const;     // stderr unless quiet
     void explain(std::string_view text) const;  // stderr when verbose
-    void error(std::string_view message) const;
-    void warn(std::string_view message) const;
+    // stderr; the message as one safe line, text from files may be in it. The hint as it is, ends in a newline.
+    void error(std::string_view message, std::string_view hint = {}) const;
 
     [[nodiscard]] bool colors_results() const { return colors_results_; }
     [[nodiscard]] bool colors_talk() const { return colors_talk_; }
@@ -35,6 +35,7 @@ public:
 
 private:
     [[nodiscard]] ProgressStyle shown_progress() const;
+    [[nodiscard]] bool is_for_programs() const { return progress == ProgressStyle::json; }
 
     bool talks_to_terminal_;
     bool colors_results_;

@@ -11,7 +11,9 @@ void add_setting_flag(CLI::App& verb, ImportFlags& flags, const std::string& opt
                       const std::string& help) {
     verb.add_option_function<std::string>(
             option,
-            [&flags, field](const std::string& value) { flags.settings.push_back("import." + field + "=" + value); },
+            [&flags, option, field](const std::string& value) {
+                flags.settings.push_back({option + " " + value, "import." + field + "=" + value});
+            },
             help)
         ->group("Reading");
 }
@@ -30,13 +32,20 @@ std::shared_ptr<ImportFlags> add_import_flags(CLI::App& verb) {
         ->group("Reading");
     add_setting_flag(verb, *flags, "--color-set", "color_set", "which vertex colour set holds the paint");
     add_setting_flag(verb, *flags, "--color-space", "color_space", "linear or srgb, of the stored colours");
-    add_setting_flag(verb, *flags, "--unit", "unit", "metres per unit of the files");
+    add_setting_flag(verb, *flags, "--unit", "unit", "metres per unit of the files; 0: what the file says");
     add_setting_flag(verb, *flags, "--up", "up", "x, y or z: the files' upward axis");
     verb.add_flag_callback(
-            "--strict", [raw = flags.get()] { raw->settings.push_back("import.strict=true"); },
+            "--strict",
+            [raw = flags.get()] {
+                raw->settings.push_back({"--strict", "import.strict=true"});
+            },
             "locks that copies of a vertex disagree about are an error")
         ->group("Reading");
     return flags;
+}
+
+void apply_settings(pipeline::Recipe& recipe, const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings) pipeline::apply_setting(recipe, setting.text, setting.option);
 }
 
 importer::Sources sources_of(const ImportFlags& flags) {

@@ -14,14 +14,21 @@ class App;
 
 namespace crumple::cli {
 
+struct Setting {
+    std::string option;  // "--unit 0.01": what the user wrote
+    std::string text;    // "import.unit=0.01"
+};
+
 struct ImportFlags {
     std::string shell;
-    std::vector<std::string> visuals;   // "[NAME=]FILE"
-    std::vector<std::string> settings;  // "import.unit=0.01", in the order of the flags
+    std::vector<std::string> visuals;  // "[NAME=]FILE"
+    std::vector<Setting> settings;     // in the order of the flags
 };
 
 // The flags live as long as the verb's command.
 [[nodiscard]] std::shared_ptr<ImportFlags> add_import_flags(CLI::App& verb);
+
+void apply_settings(pipeline::Recipe& recipe, const std::vector<Setting>& settings);
 
 [[nodiscard]] importer::Sources sources_of(const ImportFlags& flags);
 [[nodiscard]] std::vector<std::string> paths_of(const importer::Sources& sources);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <new>
 
 #include "cli/arguments.h"
 #include "cli/exit_codes.h"
+#include "cli/guarded.h"
+#include "cli/parse_error.h"
 #include "cli/verbs.h"
 #include "pipeline/version.h"
 #include "report/json_writer.h"
@@ -40,18 +41,17 @@ int print_version(const Session& session, bool as_json) {
 }
 
 // CLI11 has exit codes of its own; ours are 0 for help and 1 for everything it refuses.
-int parse(CLI::App& app, std::vector<std::string> arguments, const Session& session) {
-    std::reverse(arguments.begin(), arguments.end());
+int parse(CLI::App& app, const std::vector<std::string>& arguments, const Session& session) {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     try {
-        app.parse(arguments);
+        app.parse(reversed);
         return crumple::cli::exit_ok;
     } catch (const CLI::Success& request) {
         app.exit(request);
         return -1;
     } catch (const CLI::ParseError& error) {
-        const auto chosen = app.get_subcommands();
-        const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();
-        session.console.error(std::string(error.what()) + "\nsee crumple" + verb + " --help");
+        session.console.error(crumple::cli::explain_parse_error(app, error, arguments),
+                              "see " + crumple::cli::understood_call(app) + " --help\n");
         return crumple::cli::exit_usage;
     }
 }
@@ -69,7 +69,7 @@ int run(int count, const char* const* words, Session& session) {
     if (parsed != crumple::cli::exit_ok) return std::max(parsed, 0);
     if (wants_version) return print_version(session, as_json);
     if (session.run) return session.run();
-    session.console.error("no verb\n" + app.help());
+    session.console.error("no verb", app.help());
     return crumple::cli::exit_usage;
 }
 
@@ -77,16 +77,5 @@ int run(int count, const char* const* words, Session& session) {
 
 int main(int count, char** words) {
     Session session;
-    try {
-        return run(count, words, session);
-    } catch (const crumple::Error& error) {
-        session.console.error(error.what());
-        return crumple::cli::exit_code_of(error.kind());
-    } catch (const std::bad_alloc&) {
-        session.console.error("out of memory");
-        return crumple::cli::exit_code_of(crumple::ErrorKind::budget);
-    } catch (const std::exception& error) {
-        session.console.error(std::string("internal: ") + error.what());
-        return crumple::cli::exit_internal;
-    }
+    return crumple::cli::run_guarded(session.console, [&] { return run(count, words, session); });
 }

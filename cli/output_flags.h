@@ -2,7 +2,6 @@
 // The options of every verb that writes a file of ours.
 #pragma once
 #include <string>
-#include <vector>
 
 #include "cli/console.h"
 #include "store/hdf5_file.h"
@@ -25,8 +24,5 @@ void add_format_flag(CLI::App& verb, Format& format);
 void add_progress_flag(CLI::App& verb, Console& console);
 
 [[nodiscard]] unsigned thread_count(const OutputFlags& flags);
-
-// A report or another file beside the output: can be written, and is none of the inputs.
-void check_side_path(const std::string& path, const std::vector<std::string>& inputs);
 
 }

@@ -53,7 +53,7 @@ std::string wrapped(const std::string& text) {
 
 }
 
-void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<std::string>& settings) {
+void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<Setting>& settings) {
     const report::OwnedDescribed params = stage.make_params();
     for (const report::Field& field : params.view().fields()) {
         std::string option = "--" + field.name;
@@ -62,7 +62,10 @@ void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<s
         const std::string path = std::string(stage.name) + "." + field.name;
         const std::string value = report::write_json(field.value, report::JsonStyle::compact);
         verb.add_option_function<std::string>(
-                option, [&settings, path](const std::string& text) { settings.push_back(path + "=" + text); },
+                option,
+                [&settings, option, path](const std::string& value) {
+                    settings.push_back({option + " " + value, path + "=" + value});
+                },
                 wrapped(field.help + " [" + value + "]"))
             ->type_name(type_of(field))
             ->group("Parameters");

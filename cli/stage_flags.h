@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/import_flags.h"
+
 namespace CLI {
 class App;
 }
@@ -16,8 +18,8 @@ struct Stage;
 
 namespace crumple::cli {
 
-// Settings "relax.sweeps=5" are appended as the flags are read.
-void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<std::string>& settings);
+// Settings are appended as the flags are read.
+void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<Setting>& settings);
 
 // "sweeps=5" means "relax.sweeps=5" when the stage is relax.
 [[nodiscard]] std::string with_stage(std::string_view stage, const std::string& setting);

@@ -75,7 +75,9 @@ void add_check(CLI::App& app, Session& session) {
 void add_inspect(CLI::App& app, Session& session) {
     const auto flags = std::make_shared<FileFlags>();
     CLI::App* verb = add_verb(app, session, "inspect", "what a file holds and how it came to be", run_inspect, flags);
-    verb->add_option("FILE", flags->files, "a bundle or a work file")->required()->expected(1);
+    verb->add_option_function<std::string>(
+            "FILE", [flags](const std::string& file) { flags->files = {file}; }, "a bundle or a work file")
+        ->required();
     verb->add_flag("--datasets", flags->lists_datasets, "list every array");
     verb->footer("Example: crumple inspect car.hdf --format json");
 }

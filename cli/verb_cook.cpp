@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crumple cook
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <span>
-#include <thread>
 
+#include "cli/depfile.h"
 #include "cli/exit_codes.h"
+#include "cli/guarded.h"
 #include "cli/import_flags.h"
 #include "cli/output_flags.h"
+#include "cli/output_paths.h"
 #include "cli/verbs.h"
+#include "core/counted.h"
 #include "pipeline/builtin_recipes.h"
 #include "pipeline/cook.h"
+#include "pipeline/shared_text.h"
+#include "report/json_reader.h"
 #include "report/json_writer.h"
 #include "report/number_text.h"
+#include "report/printable.h"
 #include "report/text_view.h"
 #include "store/write_file.h"
 
@@ -41,8 +48,9 @@ struct CookFlags {
 Recipe load_recipe(const CookFlags& flags) {
     const pipeline::RecipeText text = pipeline::load_recipe_text(flags.recipe);
     Recipe recipe = pipeline::read_recipe(text.json, text.source);
-    for (const std::string& setting : flags.import->settings) pipeline::apply_setting(recipe, setting);
+    apply_settings(recipe, flags.import->settings);
     for (const std::string& setting : flags.settings) pipeline::apply_setting(recipe, setting);
+    pipeline::check_recipe(recipe, flags.recipe);
     return recipe;
 }
 
@@ -56,42 +64,34 @@ CookRequest request_of(const CookFlags& flags) {
     return request;
 }
 
-// Everything that can be known to be wrong before hours of work.
-void check_paths(const CookFlags& flags, const CookRequest& request) {
+std::vector<std::string> inputs_of(const CookFlags& flags, const CookRequest& request) {
     std::vector<std::string> inputs = paths_of(request.sources);
     if (std::filesystem::exists(flags.recipe)) inputs.push_back(flags.recipe);
+    return inputs;
+}
+
+// The report goes to stdout.
+bool is_stdout(const std::string& path) { return path == "-"; }
+
+// Everything that can be known to be wrong before hours of work.
+void check_paths(const CookFlags& flags, const CookRequest& request) {
+    const std::vector<std::string> inputs = inputs_of(flags, request);
     pipeline::check_output_path(request.output, inputs);
-    for (const std::string& path : {flags.report, flags.depfile}) {
-        if (path.empty()) continue;
-        inputs.push_back(request.output);
-        check_side_path(path, inputs);
-    }
+    std::vector<OutputPath> outputs{{"-o", request.output}};
+    if (!flags.report.empty() && !is_stdout(flags.report)) outputs.push_back({"--report", flags.report});
+    if (!flags.depfile.empty()) outputs.push_back({"--depfile", flags.depfile});
+    check_output_paths(outputs, inputs);
+    if (!flags.depfile.empty()) (void)depfile_text(request.output, inputs);
 }
 
-std::string escaped(const std::string& path) {
-    std::string text;
-    for (const char c : path) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
-    }
-    return text;
-}
-
-// What make and ninja read to know when to cook again.
-void write_depfile(const CookFlags& flags, const CookRequest& request) {
-    if (flags.depfile.empty()) return;
-    std::string text = escaped(request.output) + ":";
-    for (const std::string& path : paths_of(request.sources)) text += " " + escaped(path);
-    if (std::filesystem::exists(flags.recipe)) text += " " + escaped(flags.recipe);
-    text += "\n";
-    store::write_file(flags.depfile, std::as_bytes(std::span(text)));
+void write_text(const std::string& path, const std::string& text) {
+    store::write_file(path, std::as_bytes(std::span(text)));
 }
 
 void put_report(const CookFlags& flags, const CookReport& report, const Console& console) {
     const std::string json = report::write_json(report::Described::of(report));
-    if (!flags.report.empty()) store::write_file(flags.report, std::as_bytes(std::span(json)));
-    if (flags.output.format == Format::json) console.result(json);
+    if (!flags.report.empty() && !is_stdout(flags.report)) write_text(flags.report, json);
+    if (is_stdout(flags.report) || flags.output.format == Format::json) console.result(json);
 }
 
 std::vector<std::string> summary_row(const std::string& name, const pipeline::Usage& usage,
@@ -111,7 +111,7 @@ std::string summary_text(const CookReport& report, const std::string& output, bo
     rows.push_back(summary_row("all", report.usage, all));
     std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0});
     if (report.determinism_jobs > 0) {
-        text += "cooked again with " + std::to_string(report.determinism_jobs) + " threads: the same bytes\n";
+        text += "cooked again with " + counted(report.determinism_jobs, "thread", "threads") + ": the same bytes\n";
     }
     return text + report::printable(output) + ": " + report::size_text(report.output.bytes) +
            (report.output.is_unchanged ? ", unchanged\n" : "\n");
@@ -135,7 +135,7 @@ int cook_now(const CookFlags& flags, const Recipe& recipe, CookRequest request, 
     }
     put_report(flags, report, console);
     if (report.exit_code != exit_ok) return report.exit_code;
-    write_depfile(flags, request);
+    if (!flags.depfile.empty()) write_text(flags.depfile, depfile_text(request.output, inputs_of(flags, request)));
     console.talk(summary_text(report, request.output, console.colors_talk()));
     return exit_ok;
 }
@@ -153,24 +153,49 @@ int run_dry(const CookFlags& flags, const Recipe& recipe, const CookRequest& req
     return exit_ok;
 }
 
+// What the cook's own process had told when it was ended.
+CookReport last_report(const CookFlags& flags, const pipeline::SharedText& text, const pipeline::UsageMeter& meter) {
+    CookReport report;
+    report.recipe = flags.recipe;
+    const std::string json = text.read();
+    if (!json.empty()) {
+        report::read_json(json, "report", report::Described::of(report),
+                          {.kind = ErrorKind::internal, .allows_null = true});
+    }
+    report.usage = meter.read();
+    for (const auto& stage : report.stages)
+        report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, stage.usage.peak_memory_mb);
+    return report;
+}
+
+int cook_within(const CookFlags& flags, const Recipe& recipe, CookRequest request, const Console& console) {
+    const pipeline::UsageMeter meter;
+    pipeline::SharedText told;
+    request.keep_report = [&told](const CookReport& report) {
+        told.write(report::write_json(report::Described::of(report), report::JsonStyle::compact));
+    };
+    try {
+        return pipeline::run_within(flags.budget, [&](const pipeline::Permission& may_finish) {
+            return run_guarded(console, [&] { return cook_now(flags, recipe, request, console, may_finish); });
+        });
+    } catch (const Error& error) {
+        CookReport report = last_report(flags, told, meter);
+        report.error = error.what();
+        if (!report.stopped_in.empty()) report.error += "; it was in " + report.stopped_in;
+        report.exit_code = exit_code_of(error.kind());
+        console.error(report.error);
+        put_report(flags, report, console);
+        return report.exit_code;
+    }
+}
+
 int run_cook(const CookFlags& flags, const Console& console) {
     const Recipe recipe = load_recipe(flags);
     const CookRequest request = request_of(flags);
     check_paths(flags, request);
     if (flags.is_dry_run) return run_dry(flags, recipe, request, console);
-    try {
-        return pipeline::run_within(flags.budget, [&](const pipeline::Permission& may_finish) {
-            return cook_now(flags, recipe, request, console, may_finish);
-        });
-    } catch (const Error& error) {
-        // The cook's own process is gone: say what is left to say for it.
-        CookReport report;
-        report.recipe = flags.recipe;
-        report.error = error.what();
-        report.exit_code = exit_code_of(error.kind());
-        put_report(flags, report, console);
-        throw;
-    }
+    return flags.budget.is_limited() ? cook_within(flags, recipe, request, console)
+                                     : cook_now(flags, recipe, request, console, {});
 }
 
 // CLI11's own lets nan through, which is no limit at all.
@@ -196,7 +221,7 @@ void add_cook(CLI::App& app, Session& session) {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     verb->add_flag("--keep-work", flags->keeps_work, "leave what the stages made in the file");
-    verb->add_option("--report", flags->report, "write figures and findings as JSON")->type_name("FILE");
+    verb->add_option("--report", flags->report, "write figures and findings as JSON; - for stdout")->type_name("FILE");
     verb->add_option("--depfile", flags->depfile, "write what the output depends on, for make and ninja")
         ->type_name("FILE");
     verb->add_flag("--dry-run", flags->is_dry_run, "say what would be cooked and why, and write nothing");

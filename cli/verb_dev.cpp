@@ -7,8 +7,8 @@
 #include "cli/exit_codes.h"
 #include "cli/verbs.h"
 #include "core/error.h"
+#include "core/names.h"
 #include "pipeline/schemas.h"
-#include "report/names.h"
 #include "report/text_view.h"
 #include "samples/samples.h"
 #include "store/write_file.h"
@@ -37,7 +37,7 @@ int run_schema(const SchemaFlags& flags, const Console& console) {
     }
     if (!flags.name.empty()) {
         throw Error(ErrorKind::usage,
-                    "no schema '" + flags.name + "'; nearest: '" + report::nearest_name(flags.name, names) + "'");
+                    "no schema '" + flags.name + "'; nearest: '" + nearest_name(flags.name, names) + "'");
     }
     if (flags.folder.empty()) {
         for (const std::string& name : names) console.result(name + "\n");

@@ -6,12 +6,13 @@
 
 #include "cli/exit_codes.h"
 #include "cli/output_flags.h"
+#include "cli/output_paths.h"
 #include "cli/verbs.h"
 #include "pipeline/export_mesh.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
-#include "report/text_view.h"
+#include "report/printable.h"
 #include "store/read_file.h"
 #include "store/write_file.h"
 
@@ -30,6 +31,7 @@ struct ExportFlags {
 };
 
 struct Target {
+    std::string option;
     std::string path;
     ExportFormat format;
 };
@@ -44,10 +46,10 @@ ExportFormat format_of(const std::string& path) {
 
 std::vector<Target> targets_of(const ExportFlags& flags) {
     std::vector<Target> targets;
-    if (!flags.output.empty()) targets.push_back({flags.output, format_of(flags.output)});
-    if (!flags.vtu.empty()) targets.push_back({flags.vtu, ExportFormat::vtu});
-    if (!flags.msh.empty()) targets.push_back({flags.msh, ExportFormat::msh});
-    if (!flags.obj.empty()) targets.push_back({flags.obj, ExportFormat::obj});
+    if (!flags.output.empty()) targets.push_back({"-o", flags.output, format_of(flags.output)});
+    if (!flags.vtu.empty()) targets.push_back({"--vtu", flags.vtu, ExportFormat::vtu});
+    if (!flags.msh.empty()) targets.push_back({"--msh", flags.msh, ExportFormat::msh});
+    if (!flags.obj.empty()) targets.push_back({"--obj", flags.obj, ExportFormat::obj});
     if (targets.empty())
         throw Error(ErrorKind::usage, "export: say where to: -o FILE, --vtu FILE, --msh FILE or --obj FILE");
     return targets;
@@ -55,7 +57,9 @@ std::vector<Target> targets_of(const ExportFlags& flags) {
 
 int run_export(const ExportFlags& flags, const Console& console) {
     const std::vector<Target> targets = targets_of(flags);
-    for (const Target& target : targets) check_side_path(target.path, {flags.input});
+    std::vector<OutputPath> outputs;
+    for (const Target& target : targets) outputs.push_back({target.option, target.path});
+    check_output_paths(outputs, {flags.input});
     const std::vector<std::byte> image = store::read_file(flags.input);
     for (const Target& target : targets) {
         const std::string text = pipeline::run_text_in_child(

@@ -15,6 +15,7 @@
 #include "pipeline/work_file.h"
 #include "report/json_writer.h"
 #include "report/number_text.h"
+#include "report/printable.h"
 #include "report/text_view.h"
 
 namespace crumple::cli {
@@ -30,8 +31,8 @@ struct StageFlags {
     std::shared_ptr<ImportFlags> import;  // of the first stage only
     OutputFlags output;
     std::string recipe;
-    std::vector<std::string> settings;       // --set
-    std::vector<std::string> flag_settings;  // --sweeps and the like
+    std::vector<std::string> settings;   // --set
+    std::vector<Setting> flag_settings;  // --sweeps and the like
 };
 
 Recipe recipe_of(const Stage& stage, const StageFlags& flags) {
@@ -40,11 +41,10 @@ Recipe recipe_of(const Stage& stage, const StageFlags& flags) {
         const pipeline::RecipeText text = pipeline::load_recipe_text(flags.recipe);
         recipe = pipeline::read_recipe(text.json, text.source);
     }
-    if (flags.import) {
-        for (const std::string& setting : flags.import->settings) pipeline::apply_setting(recipe, setting);
-    }
-    for (const std::string& setting : flags.flag_settings) pipeline::apply_setting(recipe, setting);
+    if (flags.import) apply_settings(recipe, flags.import->settings);
+    apply_settings(recipe, flags.flag_settings);
     for (const std::string& setting : flags.settings) pipeline::apply_setting(recipe, with_stage(stage.name, setting));
+    pipeline::check_recipe(recipe, flags.recipe.empty() ? "parameters" : flags.recipe);
     return recipe;
 }
 

@@ -26,6 +26,7 @@ void require_valid(const Bundle& bundle) {
 
 Result bake_bundle(const Asset& asset, const TetMesh& mesh, const Bindings& bindings, const Params& params,
                    const Context& context) {
+    check_params(params);
     check_input(asset, mesh, bindings);
     Result result;
     auto& [bundle, report] = result;

@@ -66,6 +66,10 @@ struct Params {
     std::vector<SensorParams> sensors;
 };
 
+// Throws Error(usage) for a material table that is empty or has a name twice, a map that names no role or a material
+// that is not in the table, a factor out of range, a sensor without a name of its own.
+void check_params(const Params& params);
+
 struct Report {
     std::uint64_t mesh_nodes = 0;
     std::uint64_t dropped_interior = 0;
@@ -82,7 +86,7 @@ struct Result {
 };
 
 // The same bundle for any order of the mesh's nodes and tets, apart from node_to_mesh, mesh_to_node and region numbers.
-// Throws Error(usage) when params name a material that is not in the table, Error(bad_input) when the inputs do not fit
+// Throws Error(usage) as check_params does, Error(bad_input) when the inputs do not fit
 // each other, a painted lock has no node, or a tet is too small for float.
 [[nodiscard]] Result bake_bundle(const Asset& asset, const TetMesh& mesh, const Bindings& bindings,
                                  const Params& params = {}, const Context& context = {});
@@ -105,7 +109,8 @@ void describe(Visitor& visit, P& p) {
     visit.field("material_by_component", p.material_by_component, "shell component -> material; decides first");
     visit.field("material_by_source", p.material_by_source, "material of the shell's file -> material; decides second");
     visit.field("material_by_role", p.material_by_role, "role of a component -> material; decides last");
-    visit.field("stiffness_by_component", p.stiffness_by_component, "shell component -> factor on Young's modulus");
+    visit.field("stiffness_by_component", p.stiffness_by_component, Range{1e-6, 1e6},
+                "shell component -> factor on Young's modulus");
     visit.field("sensors", p.sensors, "named rigid frames carried by clusters of nodes");
 }
 

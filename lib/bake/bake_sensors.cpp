@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-
-#include "core/error.h"
 
 namespace crumple::bake {
 namespace {
@@ -119,11 +116,7 @@ bool is_straight(const Bundle& bundle, const BundleSensor& sensor) {
 std::vector<BundleSensor> bake_sensors(const Shell& shell, const Bundle& bundle, const Params& params,
                                        std::vector<Finding>& findings) {
     std::vector<BundleSensor> sensors;
-    std::set<std::string> names;
     for (const SensorParams& wanted : params.sensors) {
-        if (wanted.name.empty() || !names.insert(wanted.name).second) {
-            throw Error(ErrorKind::usage, "bake.sensors: the name '" + wanted.name + "' is empty or used twice");
-        }
         BundleSensor sensor = weigh_nodes(bundle, wanted.name, choose_nodes(shell, bundle, wanted));
         if (sensor.node.empty()) {
             findings.push_back({"SENSOR_EMPTY", Severity::warning, emptiness_of(shell, wanted), 1, {}});

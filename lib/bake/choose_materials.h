@@ -13,7 +13,7 @@ struct ComponentMaterial {
 };
 
 // One entry a component, one at least. Names in params that match no component become findings.
-// Throws Error(usage) for a material that is not in the table or has a number out of range.
+// REQUIRES: check_params(params).
 [[nodiscard]] std::vector<ComponentMaterial> choose_materials(const Shell& shell, const Params& params,
                                                               std::vector<Finding>& findings);
 

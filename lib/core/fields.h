@@ -13,8 +13,12 @@
 //     inline constexpr EnumName<Method> method_names[] = {{Method::cpt, "cpt"}, {Method::odt, "odt"}};
 //     constexpr std::span<const EnumName<Method>> enum_names(Method) { return method_names; }
 //
-// A visitor must offer field(name, member, help) and field(name, member, Range, help) for bool, integers, double, float,
-// std::string, Vec3, enums, described structs, Finding, std::vector and std::map<std::string, T> of these.
+// Text of a form that an enum cannot name has a Pattern in place of the Range. What no single field's range says, such
+// as a name that must be in another field's list, a function void check_params(const Params&) beside describe refuses:
+// it throws Error(usage), and its message begins with the path of the field.
+//
+// A visitor must offer field(name, member, help) and field(name, member, Range, help) for bool, integers, double,
+// float, std::string, Vec3, enums, described structs, Finding, std::vector and std::map<std::string, T> of these.
 #pragma once
 #include <concepts>
 #include <limits>
@@ -29,6 +33,11 @@ struct Range {
     double max = std::numeric_limits<double>::infinity();
 };
 
+// A regular expression (of JSON Schema) that the whole text matches.
+struct Pattern {
+    std::string_view text;
+};
+
 template <class E>
 struct EnumName {
     E value;
@@ -39,7 +48,9 @@ template <class P, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<P>, T>;
 
 template <class E>
-concept NamedEnum = std::is_enum_v<E> && requires(E e) { enum_names(e); };
+concept NamedEnum = std::is_enum_v<E> && requires(E e) {
+    enum_names(e);
+};
 
 template <NamedEnum E>
 constexpr std::string_view name_of(E value) {

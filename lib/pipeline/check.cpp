@@ -4,6 +4,7 @@
 #include "pipeline/export_mesh.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
+#include "report/printable.h"
 #include "report/text_view.h"
 #include "store/check_file.h"
 #include "store/read_file.h"
@@ -24,6 +25,10 @@ std::vector<Finding> findings_in(const StageRecord& record) {
     report::read_json(report::dump_json(*list, report::JsonStyle::compact), record.name + " findings",
                       report::Described::of(findings), {.kind = ErrorKind::bad_input, .allows_null = true});
     return findings;
+}
+
+std::string without_name(const std::string& message, const std::string& name) {
+    return message.starts_with(name + ": ") ? message.substr(name.size() + 2) : message;
 }
 
 void measure_quality(const Workspace& work, FileCheck& check) {
@@ -78,9 +83,10 @@ std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) 
     const std::string name = report::printable(check.path);
     const std::size_t places = is_verbose ? max_places : 0;
     if (check.exit_code != 0) {
-        return name + ": " + (check.exit_code == damaged ? "DAMAGED" : "ERROR") + ": " +
-               report::printable(check.error) + "\n" +
-               report::findings_text(check.problems, {has_color, 2, max_places});
+        const std::string verdict = name + (check.exit_code == damaged ? ": DAMAGED" : ": ERROR");
+        if (check.problems.empty())
+            return verdict + ": " + report::printable(without_name(check.error, check.path)) + "\n";
+        return verdict + "\n" + report::findings_text(check.problems, {has_color, 2, max_places});
     }
     std::vector<Finding> all = check.findings;
     for (const StageFindings& stage : check.stages) all.insert(all.end(), stage.findings.begin(), stage.findings.end());

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
+#include "core/counted.h"
 #include "pipeline/in_child.h"
 #include "report/number_text.h"
-#include "report/text_view.h"
+#include "report/printable.h"
 #include "store/read_file.h"
 
 namespace crumple::pipeline {
@@ -22,8 +23,8 @@ std::string short_text(const std::string& text) {
 std::string difference_text(const store::DatasetDifference& difference) {
     std::string text = "  " + report::printable(difference.path) + ": " + std::string(name_of(difference.kind));
     if (difference.elements > 0) {
-        text +=
-            ", " + std::to_string(difference.elements) + " elements from row " + std::to_string(difference.first_row);
+        text += ", " + counted(difference.elements, "element", "elements") + " from row " +
+                std::to_string(difference.first_row);
     }
     if (!difference.first_value.empty() || !difference.second_value.empty()) {
         text += ": " + short_text(difference.first_value) + " and " + short_text(difference.second_value);

@@ -2,6 +2,7 @@
 #include "pipeline/cook.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "pipeline/compare.h"
 #include "pipeline/input_digests.h"
@@ -18,13 +19,21 @@ double peak_of(const std::vector<StageRun>& runs) {
     return peak;
 }
 
+// From here to the next call the report says where it would have stopped.
+void enter(CookReport& report, const CookRequest& request, std::string_view place) {
+    report.stopped_in = place;
+    if (request.keep_report) request.keep_report(report);
+}
+
 // Stage by stage, so that the report holds what ran before something stopped it.
 Workspace run_stages(const Recipe& recipe, const CookRequest& request, unsigned jobs, const Observer& observer,
-                     std::vector<StageRun>& runs) {
+                     CookReport& report) {
     Workspace work;
     work.sources = request.sources;
     for (std::size_t i = 0; i < stage_table().size(); ++i) {
-        runs.push_back(run_stage(stage_table()[i], recipe.params[i], work, jobs, observer));
+        enter(report, request, stage_table()[i].name);
+        report.stages.push_back(run_stage(stage_table()[i], recipe.params[i], work, jobs, observer));
+        report.inputs = cook_record(work).inputs;
     }
     return work;
 }
@@ -34,14 +43,17 @@ unsigned other_jobs(unsigned jobs) { return jobs == 1 ? 3 : 1; }
 
 void check_determinism(const Recipe& recipe, const CookRequest& request, const std::vector<std::byte>& image,
                        CookReport& report) {
-    std::vector<StageRun> runs;
+    enter(report, request, "check_determinism");
+    CookRequest again_request = request;
+    again_request.keep_report = {};
+    CookReport again_report;
     const unsigned jobs = other_jobs(request.jobs);
-    const Workspace again = run_stages(recipe, request, jobs, {}, runs);
+    const Workspace again = run_stages(recipe, again_request, jobs, {}, again_report);
     const std::vector<std::byte> other = work_image(again, request.contents);
     if (other != image) {
         const CompareReport difference = compare_images(image, "first cook", other, "second cook");
-        throw Error(ErrorKind::difference, "cooked twice, " + std::to_string(request.jobs) + " and " +
-                                               std::to_string(jobs) + " threads: the results differ, first in " +
+        throw Error(ErrorKind::difference, "cooked twice, with --jobs " + std::to_string(request.jobs) + " and " +
+                                               std::to_string(jobs) + ": the results differ, first in " +
                                                difference.first);
     }
     report.determinism_jobs = jobs;
@@ -56,8 +68,7 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
     report.jobs = request.jobs;
     std::vector<std::byte> image;
     {
-        const Workspace work = run_stages(recipe, request, request.jobs, observer, report.stages);
-        report.inputs = cook_record(work).inputs;
+        const Workspace work = run_stages(recipe, request, request.jobs, observer, report);
         image = work_image(work, request.contents);
     }
     report.output.bytes = image.size();
@@ -65,8 +76,10 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
     if (request.checks_determinism) check_determinism(recipe, request, image, report);
     report.usage = meter.read();
     report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, peak_of(report.stages));
+    enter(report, request, "write");
     if (request.may_finish) request.may_finish(report.usage.peak_memory_mb);
     report.output.is_unchanged = !write_if_changed(request.output, image);
+    report.stopped_in.clear();
 }
 
 }

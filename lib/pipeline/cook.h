@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `crumple cook`: every stage of a recipe, from the artist's files to a bundle on the disk, and a report of it all.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 
 namespace crumple::pipeline {
 
+struct CookReport;
+
 struct CookRequest {
     importer::Sources sources;
     std::string output;
@@ -19,6 +22,8 @@ struct CookRequest {
     unsigned jobs = 1;
     bool checks_determinism = false;  // cook twice at different numbers of threads, compare before writing
     Permission may_finish;            // asked before the output is put in place; may be empty
+    // Told whenever the report has come further, for those who outlive a cook that is ended; may be empty.
+    std::function<void(const CookReport&)> keep_report;
 };
 
 struct OutputReport {
@@ -38,8 +43,9 @@ struct CookReport {
     std::string schema = "crumple/cook_report/1";
     std::string tool_version;
     int exit_code = 0;
-    std::string error;   // what stopped it
-    std::string recipe;  // name or path as given
+    std::string error;       // what stopped it
+    std::string stopped_in;  // stage, "check_determinism" or "write"; empty when cooked
+    std::string recipe;      // name or path as given
     report::RawJson params;
     std::vector<InputRecord> inputs;
     unsigned jobs = 1;
@@ -55,6 +61,8 @@ void describe(Visitor& visit, R& r) {
     visit.field("tool_version", r.tool_version, "of crumple");
     visit.field("exit_code", r.exit_code, "0: cooked; else see the table of exit codes");
     visit.field("error", r.error, "what stopped it, empty when cooked");
+    visit.field("stopped_in", r.stopped_in,
+                "the stage that ran then, or check_determinism, or write; empty when cooked");
     visit.field("recipe", r.recipe, "as given");
     visit.field("params", r.params, "effective parameters of every stage");
     visit.field("inputs", r.inputs, "what was read");

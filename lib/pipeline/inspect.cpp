@@ -5,6 +5,7 @@
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
+#include "report/printable.h"
 #include "report/text_view.h"
 #include "store/read_file.h"
 #include "store/sha256.h"

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/names.h"
 #include "pipeline/builtin_recipes.h"
-#include "report/names.h"
 #include "store/read_file.h"
 
 namespace crumple::pipeline {
@@ -18,9 +18,8 @@ RecipeText load_recipe_text(const std::string& name_or_path) {
         if (recipe.name == name_or_path) return {name_or_path, std::string(recipe.json)};
         names.emplace_back(recipe.name);
     }
-    throw Error(ErrorKind::usage,
-                "no recipe '" + name_or_path + "'; nearest: '" + report::nearest_name(name_or_path, names) +
-                    "' (there are: " + report::list_names(names) + "; or give the path of a .json file)");
+    throw Error(ErrorKind::usage, "no recipe '" + name_or_path + "'; nearest: '" + nearest_name(name_or_path, names) +
+                                      "' (there are: " + list_names(names) + "; or give the path of a .json file)");
 }
 
 }

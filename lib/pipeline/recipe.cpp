@@ -43,7 +43,17 @@ Recipe read_recipe(std::string_view json, std::string_view source) {
     return recipe;
 }
 
-void apply_setting(Recipe& recipe, std::string_view setting) { report::apply_setting(setting, recipe.view()); }
+void apply_setting(Recipe& recipe, std::string_view setting, std::string_view option) {
+    report::apply_setting(setting, recipe.view(), option);
+}
+
+void check_recipe(const Recipe& recipe, std::string_view source) {
+    try {
+        for (std::size_t i = 0; i < recipe.params.size(); ++i) stage_table()[i].check_params(recipe.params[i]);
+    } catch (const Error& error) {
+        throw Error(error.kind(), std::string(source) + ": " + error.what());
+    }
+}
 
 std::string canonical_json(const Recipe& recipe) {
     report::Json json = report::Json::Object{};

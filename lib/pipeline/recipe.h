@@ -22,8 +22,12 @@ struct Recipe {
 // Throws Error(usage) with the path of the key and the nearest valid name.
 [[nodiscard]] Recipe read_recipe(std::string_view json, std::string_view source);
 
-// "relax.sweeps=5"
-void apply_setting(Recipe& recipe, std::string_view setting);
+// "relax.sweeps=5"; `option` names the flag in messages where it was not --set.
+void apply_setting(Recipe& recipe, std::string_view setting, std::string_view option = {});
+
+// What no key alone shows: a count that says nothing, a material that is not in the table. To be asked once all is read
+// and set. Throws Error(usage) with the path of the key.
+void check_recipe(const Recipe& recipe, std::string_view source);
 
 // Every parameter of every stage on one line without spaces: what provenance keeps. The description is not part of it.
 [[nodiscard]] std::string canonical_json(const Recipe& recipe);

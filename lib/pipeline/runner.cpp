@@ -42,12 +42,12 @@ void require_inputs(const Stage& stage, const Workspace& work) {
     }
 }
 
-Context context_for(const Stage& stage, unsigned jobs, const Observer& observer) {
+Context context_for(const Stage& stage, unsigned jobs, const Observer& observer, const UsageMeter& meter) {
     Context context;
     context.jobs = jobs;
     if (observer.progress) {
-        context.progress = [&stage, &observer](std::string_view step, double fraction) {
-            observer.progress(stage, step, fraction);
+        context.progress = [&stage, &observer, &meter](std::string_view step, double fraction) {
+            observer.progress(stage, step, fraction, meter);
         };
     }
     if (observer.log) context.log = [&stage, &observer](std::string_view message) { observer.log(stage, message); };
@@ -67,7 +67,7 @@ StageRun run_stage(const Stage& stage, const report::OwnedDescribed& params, Wor
     require_inputs(stage, work);
     if (observer.begin) observer.begin(stage);
     const UsageMeter meter;
-    const report::OwnedDescribed stage_report = stage.run(work, params, context_for(stage, jobs, observer));
+    const report::OwnedDescribed stage_report = stage.run(work, params, context_for(stage, jobs, observer, meter));
     StageRun run{std::string(stage.name), stage.version, meter.read(), {}, report::findings_of(stage_report.view())};
     run.report.text = report::write_json(stage_report.view(), report::JsonStyle::compact);
     drop_after(work, stage.writes);

@@ -34,7 +34,7 @@ void describe(Visitor& visit, R& r) {
 
 struct Observer {
     std::function<void(const Stage&)> begin;
-    std::function<void(const Stage&, std::string_view step, double fraction)> progress;
+    std::function<void(const Stage&, std::string_view step, double fraction, const UsageMeter& since_begin)> progress;
     std::function<void(const Stage&, const StageRun&, report::Described report)> end;
     std::function<void(const Stage&, std::string_view message)> log;
 };

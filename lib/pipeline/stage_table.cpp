@@ -5,12 +5,12 @@
 
 #include "bake/bake.h"
 #include "bind/bind.h"
+#include "core/names.h"
 #include "cull/cull.h"
 #include "delaunay/delaunay.h"
 #include "importer/import.h"
 #include "pipeline/input_digests.h"
 #include "relax/relax.h"
-#include "report/names.h"
 #include "sample/sample.h"
 
 namespace crumple::pipeline {
@@ -80,6 +80,9 @@ template <class Report, class Params, Report (*run)(Workspace&, const Params&, c
 struct Row<run> {
     static report::OwnedDescribed make_params() { return report::OwnedDescribed::make<Params>(); }
     static report::OwnedDescribed make_report() { return report::OwnedDescribed::make<Report>(); }
+    static void check(const report::OwnedDescribed& params) {
+        if constexpr (requires(const Params& p) { check_params(p); }) check_params(params.as<Params>());
+    }
     static report::OwnedDescribed run_erased(Workspace& work, const report::OwnedDescribed& params,
                                              const Context& context) {
         return report::OwnedDescribed::make<Report>(run(work, params.as<Params>(), context));
@@ -89,7 +92,7 @@ struct Row<run> {
 template <auto run>
 Stage row(std::string_view name, int version, std::vector<Group> reads, Group writes, std::string_view help) {
     using R = Row<run>;
-    return {name, version, help, std::move(reads), writes, R::make_params, R::make_report, R::run_erased};
+    return {name, version, help, std::move(reads), writes, R::make_params, R::make_report, R::check, R::run_erased};
 }
 
 }
@@ -117,7 +120,7 @@ std::size_t stage_index(std::string_view name) {
     std::vector<std::string> names;
     for (const Stage& stage : table) names.emplace_back(stage.name);
     throw Error(ErrorKind::usage, "no stage '" + std::string(name) + "'; nearest: '" +
-                                      report::nearest_name(name, names) + "' (there are: " + report::list_names(names) +
+                                      nearest_name(name, names) + "' (there are: " + list_names(names) +
                                       ")");
 }
 

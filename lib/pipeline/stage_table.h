@@ -20,6 +20,8 @@ struct Stage {
     Group writes;              // groups after it are forgotten
     report::OwnedDescribed (*make_params)();
     report::OwnedDescribed (*make_report)();
+    // Refuses, with Error(usage), parameters that do not fit each other or say nothing.
+    void (*check_params)(const report::OwnedDescribed& params);
     // Params in, report out, data in the workspace.
     report::OwnedDescribed (*run)(Workspace& workspace, const report::OwnedDescribed& params, const Context& context);
 };

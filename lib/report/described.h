@@ -115,6 +115,7 @@ struct Field {
     std::string help;
     Range range;  // of the number, or of every number in a list, map or vector
     Described value;
+    std::string pattern = {};  // of the text; empty: any
 };
 
 inline std::vector<Field> Described::fields() const { return type_->fields(data_); }
@@ -129,6 +130,13 @@ public:
     template <class T>
     void field(std::string_view name, T& member, Range range, std::string_view help) {
         add(name, Described::of(member), range, help);
+    }
+    void field(std::string_view name, std::string& member, Pattern pattern, std::string_view help) {
+        field(name, member, help);
+        fields_.back().pattern = pattern.text;
+    }
+    void field(std::string_view name, const std::string& member, Pattern, std::string_view help) {
+        field(name, member, help);
     }
     // For structs put together at run time, such as a recipe out of its stages.
     void add(std::string_view name, Described value, Range range, std::string_view help) {

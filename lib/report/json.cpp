@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/printable.h"
+
 namespace crumple::report {
 
 namespace {
@@ -30,7 +32,9 @@ public:
     bool end_array() override { return close(); }
 
     bool key(std::string& name) override {
-        if (!open_.back().keys.insert(name).second) fail(path_with(name) + ": the key is there twice");
+        if (!open_.back().keys.insert(name).second) {
+            fail(shortened(path_with(name), 2 * longest_name) + ": the key is there twice");
+        }
         open_.back().key = std::move(name);
         return true;
     }
@@ -38,7 +42,7 @@ public:
         // "[json.exception.parse_error.101] parse error at line 3, column 7: ..." without the package's code.
         const std::string what = error.what();
         const std::size_t text = what.find("] ");
-        fail(text == std::string::npos ? what : what.substr(text + 2));
+        fail(shortened(text == std::string::npos ? what : what.substr(text + 2), 4 * longest_name));
     }
     [[nodiscard]] Json take() { return std::move(root_); }
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/names.h"
+#include "core/names.h"
 #include "report/number_text.h"
+#include "report/printable.h"
 
 namespace crumple::report {
 
@@ -18,7 +19,8 @@ public:
 
     void read(const Json& json, Described value, Range range, const std::string& path) const;
     [[noreturn]] void fail(const std::string& path, const std::string& what) const {
-        throw Error(rules_.kind, source_ + ": " + (path.empty() ? "" : path + ": ") + what);
+        throw Error(rules_.kind, shortened(source_, 2 * longest_name) + ": " +
+                                     (path.empty() ? "" : shortened(path, 2 * longest_name) + ": ") + what);
     }
     [[noreturn]] void fail_name(const std::string& parent, const std::string& name,
                                 const std::vector<std::string>& valid, bool is_key) const;
@@ -38,7 +40,7 @@ private:
     static std::string excerpt(const Json& json) {
         if (json.is_null() || json.get_if<Json::List>() || json.get_if<Json::Object>()) return {};
         const std::string text = dump_json(json, JsonStyle::compact);
-        return " " + (text.size() > 40 ? text.substr(0, 37) + "..." : text);
+        return " " + shortened(text, longest_name / 2);
     }
 
     std::string source_;
@@ -58,7 +60,10 @@ std::vector<std::string> names_of(const std::vector<Field>& fields) {
 void Reader::fail_name(const std::string& parent, const std::string& name, const std::vector<std::string>& valid,
                        bool is_key) const {
     const std::string nearest = nearest_name(name, valid);
-    if (!is_key) fail(parent, "'" + name + "' is not one of " + list_names(valid) + "; nearest: '" + nearest + "'");
+    if (!is_key) {
+        fail(parent, "'" + shortened(name, longest_name) + "' is not one of " + list_names(valid) + "; nearest: '" +
+                         nearest + "'");
+    }
     fail(joined(parent, name), valid.empty() ? std::string("unknown key; no keys are valid here")
                                              : "unknown key; nearest valid name: '" + joined(parent, nearest) +
                                                    "' (valid here: " + list_names(valid) + ")");
@@ -101,7 +106,10 @@ void Reader::read_object(const Json& json, Described value, const std::string& p
     for (const auto& member : *object) {
         const std::string& key = member.first;
         const Json& child = member.second;
-        if (path.empty() && key == "$schema" && child.get_if<std::string>()) continue;
+        if (path.empty() && key == "$schema") {
+            if (!child.get_if<std::string>()) fail_type(child, key, "the path of a schema as text");
+            continue;
+        }
         const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
         if (field == fields.end()) fail_name(path, key, names_of(fields), true);
         read(child, field->value, field->range, joined(path, key));
@@ -209,9 +217,30 @@ Target find_target(std::string_view path, Described root, const Reader& reader) 
     return at;
 }
 
-Json setting_json(std::string_view text, Kind kind, std::string_view source, const ReadRules& rules) {
-    if (kind == Kind::text || kind == Kind::choice) return Json(std::string(text));
-    return parse_json(text, source, rules);
+const char* name_of_kind(Kind kind) {
+    switch (kind) {
+        case Kind::boolean:
+            return "true or false";
+        case Kind::integer:
+            return "a whole number";
+        case Kind::number:
+            return "a number";
+        default:
+            return "JSON";
+    }
+}
+
+// Text needs no quotes; with quotes it is read as JSON reads it.
+Json setting_json(std::string_view text, const Target& target, const Reader& reader) {
+    const Kind kind = target.field.value.kind();
+    const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+    if ((kind == Kind::text || kind == Kind::choice) && !is_quoted) return Json(std::string(text));
+    try {
+        return parse_json(text, "");
+    } catch (const Error&) {
+        const std::string found = text.empty() ? "nothing" : shortened(text, longest_name / 2);
+        reader.fail(target.path, std::string("expected ") + name_of_kind(kind) + ", found " + found);
+    }
 }
 
 }
@@ -221,15 +250,13 @@ void read_json(std::string_view text, std::string_view source, Described value, 
     Reader(source, rules).read(json, value, {}, "");
 }
 
-void apply_setting(std::string_view setting, Described root) {
-    const ReadRules rules;
-    const std::string source = "--set " + std::string(setting);
-    const Reader reader(source, rules);
+void apply_setting(std::string_view setting, Described root, std::string_view option) {
+    const Reader reader(option.empty() ? "--set " + std::string(setting) : std::string(option), {});
     const std::size_t equals = setting.find('=');
     if (equals == std::string_view::npos || equals == 0)
         reader.fail("", "write it as path=value, for example relax.sweeps=5");
     const Target target = find_target(setting.substr(0, equals), root, reader);
-    const Json json = setting_json(setting.substr(equals + 1), target.field.value.kind(), source, rules);
+    const Json json = setting_json(setting.substr(equals + 1), target, reader);
     reader.read(json, target.field.value, target.field.range, target.path);
 }
 

@@ -16,7 +16,8 @@ namespace crumple::report {
 void read_json(std::string_view text, std::string_view source, Described value, const ReadRules& rules = {});
 
 // One assignment "relax.sweeps=5", as given to --set: the path of a field, then its value: text and choices as they
-// are, everything else as JSON. In a map of single values the rest of the path is the key, dots and all.
-void apply_setting(std::string_view setting, Described root);
+// are (or in JSON's quotes), everything else as JSON. In a map of single values the rest of the path is the key, dots
+// and all. `option` names the flag in messages where it was not --set.
+void apply_setting(std::string_view setting, Described root, std::string_view option = {});
 
 }

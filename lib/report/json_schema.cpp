@@ -49,6 +49,7 @@ Json object_schema(Described value, SchemaUse use, bool is_root) {
     if (is_root && use == SchemaUse::input) properties.emplace_back("$schema", type_schema("string"));
     for (const Field& field : value.fields()) {
         Json property = schema_of(field.value, field.range, use);
+        if (!field.pattern.empty()) property.add("pattern", text(field.pattern));
         if (!field.help.empty()) property.add("description", text(field.help));
         if (use == SchemaUse::input && field.value.kind() != Kind::object)
             property.add("default", build_json(field.value));

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "report/number_text.h"
+#include "report/printable.h"
 
 namespace crumple::report {
 
@@ -102,9 +104,11 @@ std::string colored(const std::string& text, Severity severity, bool has_color) 
 }
 
 std::string place_text(const Place& place) {
-    std::string text = vector_text(place.position);
-    if (place.element != none) text += " #" + std::to_string(place.element);
-    if (!place.name.empty()) text += " '" + printable(place.name) + "'";
+    std::string text;
+    const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+    if (!std::isnan(place.position.x)) add(vector_text(place.position));
+    if (place.element != none) add("#" + std::to_string(place.element));
+    if (!place.name.empty()) add("'" + printable(place.name) + "'");
     return text;
 }
 
@@ -115,7 +119,8 @@ std::string finding_text(const Finding& finding, const TextStyle& style) {
     if (finding.count > 1) text += " (" + std::to_string(finding.count) + ")";
     text += ": " + printable(finding.message) + "\n";
     for (std::size_t i = 0; i < std::min(finding.places.size(), style.places); ++i) {
-        text += spaces(style.indent + 4) + "at " + place_text(finding.places[i]) + "\n";
+        const std::string place = place_text(finding.places[i]);
+        if (!place.empty()) text += spaces(style.indent + 4) + "at " + place + "\n";
     }
     return text;
 }
@@ -129,14 +134,6 @@ std::size_t count_of(std::span<const Finding> findings, Severity severity) {
         std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.severity == severity; }));
 }
 
-}
-
-std::string printable(std::string_view text) {
-    std::string line(text);
-    for (char& c : line) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    }
-    return line;
 }
 
 std::string report_text(Described report, const TextStyle& style) {

@@ -28,9 +28,6 @@ struct TextStyle {
 // Rows of cells in columns; the first row is the heading. Cells that start with a digit or sign are right-aligned.
 [[nodiscard]] std::string table_text(const std::vector<std::vector<std::string>>& rows, const TextStyle& style = {});
 
-// Text from a file as one safe line: control characters, which could drive a terminal, become '?'.
-[[nodiscard]] std::string printable(std::string_view text);
-
 // The findings a report holds in its field "findings"; empty where it has none.
 [[nodiscard]] std::vector<Finding> findings_of(Described report);
 

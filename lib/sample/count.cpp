@@ -37,6 +37,7 @@ Count parse_count(std::string_view text) {
     if (failure == std::errc::result_out_of_range) refuse(text, "is too large");
     if (failure != std::errc{} || end != digits.data() + digits.size()) refuse(text, "is not a count");
     if (count.number > max_count) refuse(text, "is more than " + std::to_string(max_count));
+    if (count.kind == CountKind::tets && count.number == 0) refuse(text, "asks for nothing");
     return count;
 }
 

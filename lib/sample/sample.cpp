@@ -119,6 +119,8 @@ std::vector<double> size_factors(const Shell& shell, bool painted_density, Repor
 
 }
 
+void check_params(const Params& params) { (void)parse_count(params.count); }
+
 Result sample_interior(const Shell& shell, const Params& params, const Context& context) {
     const Count count = parse_count(params.count);
     Result result{{shell.positions, static_cast<Index>(shell.positions.size())}, {}};

@@ -46,9 +46,11 @@ struct Report {
                                     // SAMPLE_NO_DENSITY, SAMPLE_OPEN_SHELL
 };
 
+inline constexpr Pattern count_pattern{"^(auto|[0-9]{1,7}|tets:0*[1-9][0-9]{0,6})$"};
+
 template <class Visitor, FieldsOf<Params> P>
 void describe(Visitor& visit, P& p) {
-    visit.field("count", p.count,
+    visit.field("count", p.count, count_pattern,
                 "interior points: \"auto\" (as the shell's edges suggest), a number such as \"500\", or \"tets:5000\" "
                 "for about "
                 "that many tets in all");
@@ -78,6 +80,9 @@ void describe(Visitor& visit, R& r) {
     visit.field("spacing", r.spacing, "no two points are nearer than this times the element size; 0 for uniform");
     visit.field("findings", r.findings, "what a person should know");
 }
+
+// Throws Error(usage) for a count that cannot be read.
+void check_params(const Params& params);
 
 struct Result {
     PointSet points;  // shell vertices first, then interior points rounded to float

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "bake/grid_input.h"
-#include "core/error.h"
 
 using namespace crumple;
 using bake::Params;
@@ -29,18 +26,6 @@ std::vector<std::string> names_of(const Params& params, std::vector<Finding>* fi
         names.push_back(params.materials[chosen.material].name);
     if (findings) *findings = found;
     return names;
-}
-
-std::string complaint_of(const std::function<void(Params&)>& change) {
-    Params params;
-    change(params);
-    try {
-        (void)names_of(params);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::usage);
-        return error.what();
-    }
-    return "nothing";
 }
 
 }
@@ -75,22 +60,6 @@ TEST(ChooseMaterials, NamesThatTheShellLacksAreFindings) {
     ASSERT_EQ(findings.size(), 2u);
     EXPECT_EQ(findings[0].code, "MATERIAL_UNUSED");
     EXPECT_NE(findings[0].message.find("'spoiler'"), std::string::npos);
-}
-
-TEST(ChooseMaterials, SlipsInTheRecipeNameTheirPlace) {
-    EXPECT_EQ(complaint_of([](Params& p) { p.materials.clear(); }),
-              "bake.materials: the table needs 1 to 65535 materials");
-    EXPECT_EQ(complaint_of([](Params& p) { p.materials[1].poisson = 0.5; }),
-              "bake.materials[1].poisson is 0.5, allowed are 0 to 0.499");
-    EXPECT_EQ(complaint_of([](Params& p) { p.materials[1].name = "steel"; }),
-              "bake.materials[0].name: 'steel' is empty or used twice");
-    EXPECT_EQ(
-        complaint_of([](Params& p) { p.material_by_component["nobody"] = "stele"; }),
-        "bake.material_by_component.nobody names material 'stele', which is not in bake.materials (steel, engine)");
-    EXPECT_EQ(complaint_of([](Params& p) { p.material_by_role["rigidd"] = "steel"; }),
-              "bake.material_by_role.rigidd: roles are solid, cavity and rigid");
-    EXPECT_EQ(complaint_of([](Params& p) { p.stiffness_by_component["body"] = 0; }),
-              "bake.stiffness_by_component.body: a factor lies between 1e-6 and 1e6");
 }
 
 TEST(ChooseMaterials, ReachTheTetsOfTheirRegion) {

@@ -24,6 +24,11 @@ def run(*words, timeout=300, **options):
     return subprocess.run(words, capture_output=True, text=True, timeout=timeout, **options)
 
 
+def stages():
+    """Names of the stages, in the order they run."""
+    return [stage["name"] for stage in json.loads(run("--version", "--json").stdout)["stages"]]
+
+
 def needs_data(test):
     return unittest.skipUnless(DATA.is_dir(), f"no real input at {DATA}")(test)
 

@@ -3,6 +3,8 @@
 import hashlib
 import json
 import os
+import shutil
+import subprocess
 import unittest
 
 import program
@@ -19,7 +21,7 @@ class Output(program.Case):
 
     def test_a_missing_folder_is_said_before_any_work(self):
         process = self.fails(self.cook("--progress", "json", output=self.path("none/out.hdf")), 2, "none")
-        self.assertNotIn("event", process.stderr)
+        self.assertNotIn("begin", process.stderr)
 
     def test_a_folder_as_output_is_refused(self):
         self.path("folder.hdf").mkdir()
@@ -36,8 +38,37 @@ class Output(program.Case):
 
     def test_a_report_may_not_replace_an_input_or_the_output(self):
         self.fails(self.cook("--report", self.shell), 1, "would replace")
-        self.fails(self.cook("--report", self.output), 1, "would replace")
+        self.fails(self.cook("--report", self.output), 1, "--report and -o name the same file")
         self.fails(self.cook("--report", self.path("none/r.json")), 2, "none")
+
+    def test_no_two_outputs_are_the_same_file(self):
+        report = self.path("report.json")
+        other = f"{self.folder}/../{self.folder.name}/report.json"
+        self.fails(self.cook("--report", report, "--depfile", other), 1, "--depfile and --report name the same file")
+        self.fails(self.cook("--depfile", self.output), 1, "--depfile and -o")
+        self.assertFalse(report.exists())
+
+    def test_an_output_that_is_read_only_is_not_replaced(self):
+        self.output.write_text("precious")
+        self.output.chmod(0o444)
+        process = self.fails(self.cook("--progress", "json"), 2, "out.hdf", "read-only")
+        self.assertNotIn("begin", process.stderr)
+        self.assertEqual(self.output.read_text(), "precious")
+        report = self.path("report.json")
+        report.write_text("precious")
+        report.chmod(0o444)
+        self.fails(self.cook("--report", report, output=self.path("other.hdf")), 2, "report.json", "read-only")
+
+    def test_the_output_may_be_given_with_an_equals_sign(self):
+        self.ok(program.run("cook", "smoke", "--shell", self.shell, f"-o={self.output}"))
+        self.assertTrue(self.output.exists())
+
+    def test_a_name_of_255_bytes_is_fine_and_one_of_256_is_said_before_any_work(self):
+        output = self.path("a" * 251 + ".hdf")
+        self.ok(self.cook(output=output))
+        self.assertTrue(output.exists())
+        process = self.fails(self.cook("--progress", "json", output=self.path("a" * 252 + ".hdf")), 2, "File name too long")
+        self.assertNotIn("begin", process.stderr)
 
     def test_a_shell_that_is_not_there_is_exit_2(self):
         self.shell = self.path("none.ply")
@@ -111,6 +142,31 @@ class Output(program.Case):
                          [f"{self.output}:", str(self.shell), str(self.visual), str(program.SOURCE / "pipelines/smoke.json")])
 
 
+    def test_the_depfile_is_read_by_make_whatever_the_names(self):
+        make = shutil.which("make")
+        if not make:
+            self.skipTest("no make")
+        folder = self.path("a b#c$d")
+        folder.mkdir()
+        self.shell = self.shell.rename(folder / "sh ell.obj")
+        self.visual = self.visual.rename(self.path("back\\slash.obj"))
+        self.ok(self.cook("--depfile", "dep.d", output="out.hdf", cwd=self.folder))
+        self.path("Makefile").write_text("out.hdf:\n\ttouch $@\ninclude dep.d\n")
+        plan = lambda: subprocess.run([make, "-q", "out.hdf"], cwd=self.folder, capture_output=True).returncode
+        for path in [self.shell, self.visual]:
+            os.utime(self.output)
+            os.utime(path, (1, 1))
+        self.assertEqual(plan(), 0, "nothing to do")
+        for path in [self.shell, self.visual]:
+            os.utime(path, (2**32, 2**32))
+            self.assertEqual(plan(), 1, path)
+            os.utime(path, (1, 1))
+
+    def test_a_depfile_cannot_name_a_line_break(self):
+        self.shell = self.shell.rename(self.path("two\nlines.obj"))
+        self.fails(self.cook("--depfile", self.path("dep.d")), 1, "--depfile", "line break")
+
+
 class Same(program.Case):
     def test_the_same_bytes_twice_and_at_any_number_of_threads(self):
         digests = set()
@@ -146,7 +202,7 @@ class Report(program.Case):
         self.ok(self.cook("--report", path, "--jobs", "1"))
         report = json.loads(path.read_text())
         self.assertEqual([stage["name"] for stage in report["stages"]],
-                         ["import", "sample", "delaunay", "relax", "cull", "bind", "bake"])
+                         program.stages())
         for stage in report["stages"]:
             self.assertGreaterEqual(stage["usage"]["cpu_s"], 0)
             self.assertGreater(stage["usage"]["wall_s"], 0)
@@ -167,7 +223,7 @@ class Report(program.Case):
     def test_progress_as_lines_of_json(self):
         process = self.ok(self.cook("--progress", "json", "-q"))
         lines = [json.loads(line) for line in process.stderr.splitlines()]
-        stages = ["import", "sample", "delaunay", "relax", "cull", "bind", "bake"]
+        stages = program.stages()
         self.assertEqual([line["stage"] for line in lines if line["event"] == "begin"], stages)
         self.assertEqual([line["stage"] for line in lines if line["event"] == "end"], stages)
         for line in lines:
@@ -226,6 +282,21 @@ class Budget(program.Case):
         self.fails(self.cook("--max-memory", "1"), 6, "--max-memory")
         self.assertEqual(self.output.read_text(), "old")
         self.assertEqual(self.leftovers(), [])
+
+    def test_the_report_of_an_ended_cook_says_how_far_it_came(self):
+        self.shell = program.sphere_obj(self.path("fine.obj"), rings=60, around=90)
+        path = self.path("report.json")
+        process = self.fails(self.cook("--timeout", "1", "--report", path, "--jobs", "1", "--set", "relax.sweeps=1000",
+                                       "--set", "relax.tolerance=0", "--set", "sample.count=20000"), 6)
+        report = json.loads(path.read_text())
+        self.assertIn(report["stopped_in"], ["sample", "delaunay", "relax"])
+        self.assertIn("in " + report["stopped_in"], process.stderr)
+        names = program.stages()
+        self.assertEqual([stage["name"] for stage in report["stages"]], names[:names.index(report["stopped_in"])])
+        self.assertGreater(report["stages"][0]["report"]["locked"], 0)
+        self.assertEqual(report["params"]["relax"]["sweeps"], 1000)
+        self.assertEqual([record["name"] for record in report["inputs"]], ["shell", "visual/visual"])
+        self.assertGreater(report["usage"]["wall_s"], 0.9)
 
     def test_enough_of_both_changes_nothing(self):
         self.ok(self.cook())

@@ -32,7 +32,7 @@ class Check(program.Case):
         self.assertEqual(report["files"][0]["problems"], [])
         self.assertEqual(report["files"][0]["quality"]["inverted"], 0)
         self.assertEqual([stage["name"] for stage in report["files"][0]["record"]],
-                         ["import", "sample", "delaunay", "relax", "cull", "bind", "bake"])
+                         ["import", "sample", "delaunay", "relax", "cull", "finish", "bind", "bake"])
 
     def test_figures_that_need_the_shell_come_from_the_stored_report(self):
         _, report = self.check(self.output)
@@ -56,6 +56,16 @@ class Check(program.Case):
         code, report = self.check(self.path("none.hdf"))
         self.assertEqual(code, 2)
         self.assertIn("none.hdf", report["files"][0]["error"])
+
+    def test_a_damaged_file_is_named_once(self):
+        self.output.write_bytes(self.output.read_bytes()[:3000])
+        process = program.run("check", self.output)
+        self.assertEqual(process.returncode, 7)
+        self.assertEqual(process.stdout.count("out.hdf"), 1, process.stdout)
+        self.assertNotIn("(0, 0, 0)", process.stdout)
+        self.assertIn("3000", process.stdout)
+        process = program.run("check", self.path("none.hdf"))
+        self.assertEqual(process.stdout.count("none.hdf"), 1, process.stdout)
 
     def test_damage_is_exit_7(self):
         content = bytearray(self.output.read_bytes())

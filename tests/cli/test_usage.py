@@ -8,7 +8,7 @@ import unittest
 
 import program
 
-VERBS = ["cook", "check", "inspect", "compare", "export", "dev", "import", "sample", "delaunay", "relax", "cull", "bind",
+VERBS = ["cook", "check", "inspect", "compare", "export", "dev", "import", "sample", "delaunay", "relax", "cull", "finish", "bind",
          "bake"]
 
 
@@ -16,11 +16,20 @@ class Usage(program.Case):
     def test_no_verb_is_a_wrong_call(self):
         self.fails(program.run(), 1, "no verb", "Example:")
 
-    def test_an_unknown_verb_is_a_wrong_call(self):
-        self.fails(program.run("cok"), 1, "cok")
+    def test_an_unknown_verb_names_the_nearest(self):
+        self.fails(program.run("cok"), 1, "no verb 'cok'", "'cook'", "see crumple --help")
+        self.fails(program.run("chek", "a.hdf"), 1, "no verb 'chek'", "'check'")
+        self.fails(program.run("dev", "schma"), 1, "crumple dev has no verb 'schma'", "'schema'")
 
-    def test_an_unknown_option_is_a_wrong_call_and_names_where_help_is(self):
-        self.fails(program.run("cook", "--shel", "x"), 1, "see crumple cook --help")
+    def test_an_unknown_option_names_the_nearest_and_where_help_is(self):
+        self.fails(program.run("cook", "--shel", "x"), 1, "no option '--shel'", "'--shell'", "see crumple cook --help")
+        self.fails(self.cook("--jbos", "3"), 1, "crumple cook has no option '--jbos'", "'--jobs'")
+        self.fails(self.cook("--jbos=3"), 1, "'--jobs'")
+        self.fails(self.cook("--vebrose"), 1, "'--verbose'")
+        self.fails(program.run("--vershion"), 1, "'--version'")
+
+    def test_a_word_too_many_is_named(self):
+        self.fails(program.run("inspect", "a.hdf", "b.hdf"), 1, "'b.hdf'")
 
     def test_help_goes_to_stdout_fits_a_screen_and_ends_with_an_example(self):
         for words in [[], *[[verb] for verb in VERBS], ["dev", "schema"], ["dev", "sample"]]:
@@ -38,11 +47,12 @@ class Usage(program.Case):
         self.assertEqual([stage["name"] for stage in info["stages"]], VERBS[6:])
 
     def test_a_wrong_choice_or_number_is_a_wrong_call(self):
-        self.fails(self.cook("--layout", "tiled"), 1, "--layout")
+        self.fails(self.cook("--layout", "continuous"), 1, "--layout", "chunked, contiguous", "nearest: 'contiguous'")
         self.fails(self.cook("--jobs", "-1"), 1, "--jobs")
         self.fails(self.cook("--jobs", "many"), 1, "--jobs")
         self.fails(self.cook("--timeout", "0"), 1, "--timeout")
-        self.fails(self.cook("--progress", "loud"), 1, "--progress")
+        self.fails(self.cook("--progress", "jsn"), 1, "--progress", "auto, json, tty, none", "nearest: 'json'")
+        self.fails(self.cook("--format", "xml"), 1, "--format", "text, json")
         self.assertFalse(self.output.exists())
 
     def test_quiet_says_nothing_when_all_is_well(self):
@@ -83,6 +93,30 @@ class Usage(program.Case):
     def test_no_color_is_honoured(self):
         self.assertIn(b"\033[3", self.on_a_terminal(NO_COLOR=""))
         self.assertNotIn(b"\033[3", self.on_a_terminal(NO_COLOR="1"))
+
+    def test_a_message_is_one_safe_line_whatever_names_hold(self):
+        for name in ["a\nb\x1b[31m.ply", "x" * 200 + ".ply"]:
+            self.shell = self.path(name)
+            self.shell.write_text("ply\nnonsense")
+            process = self.fails(self.cook(), 3)
+            self.assertEqual(len(process.stderr.splitlines()), 1, process.stderr)
+            self.assertNotIn("\x1b", process.stderr)
+        self.assertNotIn("\x1b", self.fails(self.cook("--set", "relax.\x1b[2Jswps=3"), 1).stderr)
+        process = program.run("check", self.path("no\x1b[31m\n.hdf"))
+        self.assertEqual(process.returncode, 2)
+        self.assertNotIn("\x1b", process.stdout + process.stderr)
+
+    def test_a_long_word_is_not_repeated_at_length(self):
+        long = "k" * 100000
+        recipe = self.path("long.json")
+        for text in [f'{{"{long}": 1}}', f'{{"relax": {{"method": "{long}"}}}}', f'{{"a": {{"{long}": 1, "{long}": 2}}}}',
+                     f'{{"description": "{long}", x', f'{{"sample": {{"count": "{long}"}}}}']:
+            recipe.write_text(text)
+            process = self.fails(self.cook(recipe=str(recipe)), 1)
+            self.assertLess(len(process.stderr), 2000, process.stderr[:300])
+        for words in [["--set", f"{long}=1"], ["--set", f"relax.sweeps={long}"], [f"--{long}"], ["--layout", long]]:
+            process = self.fails(self.cook(*words), 1)
+            self.assertLess(len(process.stderr), 2000, process.stderr[:300])
 
     def test_arguments_may_come_from_a_file(self):
         arguments = self.path("cook.args")
@@ -125,6 +159,43 @@ class Recipes(program.Case):
         self.fails(self.cook("--set", "relax.sweep=5"), 1, "relax.sweeps")
         self.fails(self.cook("--set", "relax.sweeps=-5"), 1, "out of range")
         self.fails(self.cook("--set", "relax.sweeps"), 1, "path=value")
+
+    def test_what_fits_no_field_is_said_with_what_would(self):
+        self.fails(self.cook("--unit", "abc"), 1, "--unit abc", "import.unit", "expected a number, found abc")
+        self.fails(self.cook("--set", "relax.sweeps=abc"), 1, "expected a whole number, found abc")
+        self.fails(self.cook("--set", "relax.sweeps="), 1, "found nothing")
+        self.fails(self.cook("--up", "w"), 1, "--up w", "import.up", "'w' is not one of")
+        self.fails(self.cook(recipe=self.recipe('{"$schema": 5}')), 1, "$schema", "expected", "text")
+
+    def test_text_may_be_quoted_as_in_json(self):
+        report = self.json_of(self.cook("--set", 'sample.count="7"', "--set", 'relax.method="odt"', "--format", "json"))
+        self.assertEqual(report["params"]["sample"]["count"], "7")
+        self.assertEqual(report["params"]["relax"]["method"], "odt")
+
+    def test_values_that_say_nothing_are_refused_before_any_work(self):
+        """By recipe and by --set, in a dry run and in a real one."""
+        self.shell = self.path("none.ply")  # would be exit 2
+        for setting, *parts in [("sample.count=tets:0", "sample.count", "tets:0"),
+                                ("sample.count=garbage", "sample.count", "garbage"),
+                                ("bake.material_by_role.rigid=engin", "bake.material_by_role.rigid", "nearest: 'engine'"),
+                                ("bake.material_by_role.rigidd=engine", "bake.material_by_role.rigidd", "nearest: 'rigid'"),
+                                ("bake.material_by_component.hood=", "bake.material_by_component.hood")]:
+            for words in [[], ["--dry-run"]]:
+                self.fails(self.cook("--set", setting, *words, recipe="car_body"), 1, *parts)
+        for text, *parts in [('{"bake": {"materials": []}}', "bake.materials", "empty"),
+                             ('{"bake": {"materials": [{"name": "steel"}, {"name": "steel"}]}}', "bake.materials[1].name"),
+                             ('{"bake": {"material_by_role": {"solid": "stel"}}}', "nearest: 'steel'"),
+                             ('{"bake": {"sensors": [{"name": "a"}, {"name": "a"}]}}', "bake.sensors[1].name")]:
+            for words in [[], ["--dry-run"]]:
+                self.fails(self.cook(*words, recipe=self.recipe(text)), 1, "recipe.json", *parts)
+
+    def test_the_schema_knows_what_a_count_looks_like(self):
+        schema = json.loads(self.ok(program.run("dev", "schema", "recipe")).stdout)
+        pattern = schema["properties"]["sample"]["properties"]["count"]["pattern"]
+        for good in ["auto", "0", "500", "tets:5000"]:
+            self.assertRegex(good, pattern)
+        for bad in ["", "garbage", "tets:0", "tets:", "-1", "500 "]:
+            self.assertNotRegex(bad, pattern)
 
     def test_set_and_flags_reach_the_stages(self):
         report = self.json_of(self.cook("--set", "relax.sweeps=3", "--unit", "0.01", "--format", "json"))

@@ -7,6 +7,8 @@
 #include "report/number_text.h"
 
 using crumple::Finding;
+using crumple::none;
+using crumple::nowhere;
 using crumple::Severity;
 using crumple::report::Described;
 using crumple::report::findings_of;
@@ -15,7 +17,6 @@ using crumple::report::findings_text;
 using crumple::report::float_text;
 using crumple::report::has_severity;
 using crumple::report::number_text;
-using crumple::report::printable;
 using crumple::report::report_text;
 using crumple::report::size_text;
 using crumple::report::table_text;
@@ -36,7 +37,16 @@ TEST(TextView, FindingsAreSortedBySeverityAndNameTheirPlaces) {
     EXPECT_FALSE(has_severity(findings, Severity::warning));
 }
 
-TEST(TextView, NamesFromFilesCannotDriveTheTerminal) { EXPECT_EQ(printable("a\033[31m\nb"), "a?[31m?b"); }
+TEST(TextView, NamesFromFilesCannotDriveTheTerminal) {
+    const std::vector<Finding> findings{{"A", Severity::info, "a\033[31m", 1, {{{}, 7, "x\ny"}}}};
+    EXPECT_EQ(findings_text(findings), "info A: a\\x1b[31m\n    at (0, 0, 0) #7 'x\\ny'\n");
+}
+
+TEST(TextView, APlaceWithoutAPositionIsToldByItsName) {
+    const std::vector<Finding> findings{{"A", Severity::info, "a", 1, {{nowhere, none, "/bundle/mass"}}},
+                                        {"B", Severity::info, "b", 1, {{nowhere, none, ""}}}};
+    EXPECT_EQ(findings_text(findings), "info A: a\n    at '/bundle/mass'\ninfo B: b\n");
+}
 
 TEST(TextView, AReportIsOneLinePerField) {
     example::Params params;

@@ -16,7 +16,7 @@ TEST(Count, AnythingButTheThreeFormsIsRefusedWithWhatCanBeWritten) {
     for (const char* text : {"",        " ",           "Auto", "auto ",    "-1",    "+5",
                              "5.0",     "1e3",         "5 ",   " 5",       "0x10",  "tets:",
                              "tets:-3", "tets: 5",     "tets", "points:5", "5,000", "99999999999999999999999",
-                             "1000001", "tets:1000001"}) {
+                             "1000001", "tets:1000001", "tets:0", "tets:00"}) {
         try {
             (void)parse_count(text);
             ADD_FAILURE() << '"' << text << '"';

@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/names.h"
+// SPDX-License-Identifier: MIT
+#include "core/names.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace crumple::report {
+namespace crumple {
 
 namespace {
 

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/names.h"
+// SPDX-License-Identifier: MIT
+#include "core/names.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-using crumple::report::list_names;
-using crumple::report::nearest_name;
+using crumple::list_names;
+using crumple::nearest_name;
 
 TEST(Names, NothingIsNearWhenNothingIsValid) { EXPECT_EQ(nearest_name("sweeps", {}), ""); }
 

@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 // What someone who mistyped a name most likely meant.
 #pragma once
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace crumple::report {
+namespace crumple {
 
 // The valid name with the fewest edits (insert, delete, replace, swap neighbours; case is free); the first of equals,
 // empty when there are none.

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What make and ninja read to know when to cook again.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace crumple::cli {
+
+// One rule, "output: input input". Throws Error(usage) for a path with a line break, which no rule can name.
+[[nodiscard]] std::string depfile_text(const std::string& output, const std::vector<std::string>& inputs);
+
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output_paths.h"
+
+#include <filesystem>
+
+#include "core/error.h"
+#include "store/write_file.h"
+
+namespace crumple::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) return true;
+    const fs::path first = fs::weakly_canonical(fs::absolute(a), error);
+    return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
+}
+
+}
+
+void check_output_paths(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [option, path] = outputs[i];
+        store::check_can_write(path);
+        for (const std::string& input : inputs) {
+            if (is_same_file(path, input))
+                throw Error(ErrorKind::usage, option + " " + path + ": would replace an input");
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!is_same_file(path, outputs[j].path)) continue;
+            throw Error(ErrorKind::usage, option + " and " + outputs[j].option + " name the same file, " + path +
+                                              "; give one another name");
+        }
+    }
+}
+
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Text from outside may hold any bytes.
+#pragma once
+#include <cstddef>
+#include <string_view>
+
+namespace crumple {
+
+// Bytes of the well-formed UTF-8 character at the start of the text, 0 where there is none [Unicode 15, table 3-7].
+[[nodiscard]] std::size_t utf8_size(std::string_view text);
+
+}

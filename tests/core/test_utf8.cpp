@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "core/utf8.h"
+
+#include <gtest/gtest.h>
+
+using crumple::utf8_size;
+
+TEST(Utf8, NoTextHasNoCharacter) { EXPECT_EQ(utf8_size(""), 0u); }
+
+TEST(Utf8, WellFormedCharactersHaveTheirSize) {
+    EXPECT_EQ(utf8_size("a"), 1u);
+    EXPECT_EQ(utf8_size(std::string_view("\0", 1)), 1u);
+    EXPECT_EQ(utf8_size("\xc3\xa4x"), 2u);
+    EXPECT_EQ(utf8_size("\xe2\x82\xac"), 3u);
+    EXPECT_EQ(utf8_size("\xf0\x9f\x9a\x97"), 4u);
+}
+
+TEST(Utf8, EverythingElseIsNone) {
+    for (const char* text : {"\x80", "\xc3", "\xc3(", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                             "\xf8\x88\x80\x80\x80", "\xe2\x82", "\xff"}) {
+        EXPECT_EQ(utf8_size(text), 0u) << text;
+    }
+}
