@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/export_mesh.h"
 
+#include "bundle/blob.h"
+#include "bundle/validate.h"
 #include "core/error.h"
 #include "geometry/measures.h"
 #include "store/export_msh.h"
@@ -39,6 +41,12 @@ std::string export_shell(const Shell& shell) {
     return store::export_surface_obj(positions, shell.locked, shell.triangles);
 }
 
+std::string export_blob(const Bundle& bundle) {
+    if (!validate(bundle).empty()) throw Error(ErrorKind::bad_input, "the bundle is not valid; see crumple check");
+    const std::vector<std::byte> blob = write_blob(bundle);
+    return {reinterpret_cast<const char*>(blob.data()), blob.size()};
+}
+
 }
 
 Bundle visible_bundle(const Workspace& workspace) {
@@ -48,6 +56,8 @@ Bundle visible_bundle(const Workspace& workspace) {
 }
 
 std::string export_work(const Workspace& workspace, ExportFormat format) {
+    if (format == ExportFormat::blob && !workspace.bundle)
+        throw Error(ErrorKind::usage, "there is no bundle yet; run crumple bake first");
     const bool has_tets = workspace.bundle || workspace.tets;
     if (!has_tets && workspace.asset && format == ExportFormat::obj) return export_shell(workspace.asset->shell);
     return export_mesh(visible_bundle(workspace), format);
@@ -61,6 +71,8 @@ std::string export_mesh(const Bundle& bundle, ExportFormat format) {
             return store::export_msh(bundle);
         case ExportFormat::obj:
             return store::export_obj(bundle);
+        case ExportFormat::blob:
+            return export_blob(bundle);
     }
     return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tet mesh as the text of other programs' files: `crumple export`.
+// A tet mesh as the text of other programs' files, or the whole bundle as the bytes of a blob: `crumple export`.
 #pragma once
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace crumple::pipeline {
 
-enum class ExportFormat { vtu, msh, obj };
+enum class ExportFormat { vtu, msh, obj, blob };
 inline constexpr EnumName<ExportFormat> export_format_names[] = {
-    {ExportFormat::vtu, "vtu"}, {ExportFormat::msh, "msh"}, {ExportFormat::obj, "obj"}};
+    {ExportFormat::vtu, "vtu"}, {ExportFormat::msh, "msh"}, {ExportFormat::obj, "obj"}, {ExportFormat::blob, "blob"}};
 constexpr std::span<const EnumName<ExportFormat>> enum_names(ExportFormat) { return export_format_names; }
 
 // The bundle; where there is none, the tets and locks of the work so far in the form of one, without masses and matrix:
@@ -20,7 +20,8 @@ constexpr std::span<const EnumName<ExportFormat>> enum_names(ExportFormat) { ret
 // Same mesh, same bytes.
 [[nodiscard]] std::string export_mesh(const Bundle& bundle, ExportFormat format);
 
-// What the work has come to: the bundle, else the tets, else (OBJ only) the shell as imported, with its locks.
+// What the work has come to: the bundle, else the tets, else (OBJ only) the shell as imported, with its locks. A blob
+// wants the bundle, and a valid one.
 [[nodiscard]] std::string export_work(const Workspace& workspace, ExportFormat format);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/inspect.h"
 
+#include "bundle/blob.h"
 #include "bundle/validate.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
@@ -49,7 +50,7 @@ InspectReport inspect_image(std::vector<std::byte> image, const std::string& nam
     InspectReport report;
     report.bytes = image.size();
     report.sha256 = store::to_hex(store::sha256(image));
-    report.datasets = list_datasets(store::FileReader(image, name));
+    if (!is_blob(image)) report.datasets = list_datasets(store::FileReader(image, name));
     const Workspace work = read_work_image(std::move(image), name);
     for (const auto& group : group_names) {
         if (has_group(work, group.value)) report.groups.push_back(group.value);

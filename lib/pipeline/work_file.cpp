@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "bundle/blob.h"
 #include "geometry/predicates.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/quality_view.h"
@@ -83,6 +84,11 @@ std::vector<std::byte> work_image(const Workspace& work, const FileContents& con
 }
 
 Workspace read_work_image(std::vector<std::byte> image, const std::string& name) {
+    if (is_blob(image)) {
+        Workspace work;
+        work.bundle = read_blob(image, name);
+        return work;
+    }
     const store::FileReader file(std::move(image), name);
     Workspace work;
     if (file.has("/asset")) work.asset = read_asset(file);

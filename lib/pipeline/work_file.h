@@ -20,7 +20,7 @@ struct FileContents {
 // The bytes of the file; equal for equal workspaces. Sources are not part of it.
 [[nodiscard]] std::vector<std::byte> work_image(const Workspace& workspace, const FileContents& contents);
 
-// Every part the file has, every index and size checked. Throws Error(file) when it cannot be read, Error(bad_input)
+// Every part the file has, or the bundle of a blob (bundle/blob.h), every index and size checked. Throws Error(file) when it cannot be read, Error(bad_input)
 // when it is no file of ours, is damaged or holds what no stage would have written.
 // REQUIRES: no other thread of this process is running: the file is tried in a limited child process first.
 [[nodiscard]] Workspace read_work_file(const std::string& path);

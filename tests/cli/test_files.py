@@ -175,6 +175,30 @@ class Export(program.Case):
         report = self.json_of(program.run("cook", "smoke", "--shell", self.path("boundary.obj"), "-o", again, "--format", "json", "-q"))
         self.assertEqual(report["stages"][0]["report"]["locked"], first["locked_nodes"])
 
+    def test_a_blob_is_as_good_as_its_bundle(self):
+        blob = self.path("car.blob")
+        self.ok(program.run("export", self.output, "--blob", blob))
+        self.assertEqual(blob.stat().st_size % 64, 0)
+        self.assertIn("ok", self.ok(program.run("check", blob)).stdout)
+        inspected = [self.json_of(program.run("inspect", path, "--format", "json")) for path in (blob, self.output)]
+        self.assertEqual(inspected[0]["bundle"], inspected[1]["bundle"])
+        for name, source in (("a", self.output), ("b", blob)):
+            self.ok(program.run("export", source, "--vtu", self.path(name + ".vtu")))
+            self.ok(program.run("export", source, "-o", self.path(name + ".blob")))
+        for ending in (".vtu", ".blob"):
+            self.assertEqual(self.path("a" + ending).read_bytes(), self.path("b" + ending).read_bytes())
+
+    def test_a_damaged_blob_is_refused(self):
+        blob = self.path("car.blob")
+        self.ok(program.run("export", self.output, "--blob", blob))
+        damaged = bytearray(blob.read_bytes())
+        damaged[5000] ^= 1
+        blob.write_bytes(damaged)
+        checked = program.run("check", blob)
+        self.assertEqual(checked.returncode, 7)
+        self.assertIn("damaged", checked.stdout)
+        self.fails(program.run("inspect", blob), 7, "damaged")
+
     def test_exporting_twice_gives_the_same_bytes(self):
         for name in ["x.vtu", "x.msh", "x.obj"]:
             self.ok(program.run("export", self.output, "-o", self.path(name)))
