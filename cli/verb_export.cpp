@@ -28,6 +28,7 @@ struct ExportFlags {
     std::string vtu;
     std::string msh;
     std::string obj;
+    std::string blob;
 };
 
 struct Target {
@@ -41,7 +42,8 @@ ExportFormat format_of(const std::string& path) {
     for (const auto& entry : pipeline::export_format_names) {
         if (extension == "." + std::string(entry.name)) return entry.value;
     }
-    throw Error(ErrorKind::usage, path + ": the name must end in .vtu, .msh or .obj, or say --vtu, --msh or --obj");
+    throw Error(ErrorKind::usage,
+                path + ": the name must end in .vtu, .msh, .obj or .blob, or say --vtu, --msh, --obj or --blob");
 }
 
 std::vector<Target> targets_of(const ExportFlags& flags) {
@@ -50,8 +52,10 @@ std::vector<Target> targets_of(const ExportFlags& flags) {
     if (!flags.vtu.empty()) targets.push_back({"--vtu", flags.vtu, ExportFormat::vtu});
     if (!flags.msh.empty()) targets.push_back({"--msh", flags.msh, ExportFormat::msh});
     if (!flags.obj.empty()) targets.push_back({"--obj", flags.obj, ExportFormat::obj});
+    if (!flags.blob.empty()) targets.push_back({"--blob", flags.blob, ExportFormat::blob});
     if (targets.empty())
-        throw Error(ErrorKind::usage, "export: say where to: -o FILE, --vtu FILE, --msh FILE or --obj FILE");
+        throw Error(ErrorKind::usage,
+                    "export: say where to: -o FILE, --vtu FILE, --msh FILE, --obj FILE or --blob FILE");
     return targets;
 }
 
@@ -74,13 +78,16 @@ int run_export(const ExportFlags& flags, const Console& console) {
 }
 
 void add_export(CLI::App& app, Session& session) {
-    CLI::App* verb = app.add_subcommand("export", "the tets for other programs: VTU, gmsh, OBJ");
+    CLI::App* verb =
+        app.add_subcommand("export", "the tets for other programs: VTU, gmsh, OBJ; the bundle for games: blob");
     const auto flags = std::make_shared<ExportFlags>();
     verb->add_option("FILE", flags->input, "a bundle or a work file")->required();
-    verb->add_option("-o,--output", flags->output, "format by extension: .vtu .msh .obj")->type_name("FILE");
+    verb->add_option("-o,--output", flags->output, "format by extension: .vtu .msh .obj .blob")->type_name("FILE");
     verb->add_option("--vtu", flags->vtu, "VTK unstructured grid with every array, for ParaView")->type_name("FILE");
     verb->add_option("--msh", flags->msh, "gmsh 2.2, regions as physical groups")->type_name("FILE");
     verb->add_option("--obj", flags->obj, "the boundary, locks as vertex colours (red 0 is locked)")->type_name("FILE");
+    verb->add_option("--blob", flags->blob, "the whole bundle in one flat file, for games without HDF5")
+        ->type_name("FILE");
     verb->footer("Example: crumple export car.hdf --vtu car.vtu --obj car_boundary.obj");
     verb->callback(
         [flags, &session] { session.run = [flags, &session] { return run_export(*flags, session.console); }; });
