@@ -33,9 +33,14 @@ std::string json_of(const Row::Value& value) {
 }
 
 std::string json_of(const Row& row) {
-    std::string text = "{\"name\": " + quoted(row.name) + ", \"input\": " + quoted(row.input);
-    for (const auto& [key, value] : row.figures) text += ", " + quoted(key) + ": " + json_of(value);
-    return text + '}';
+    std::string text;
+    const auto add = [&](const std::string& key, const Row::Value& value) {
+        text += (text.empty() ? "" : ", ") + quoted(key) + ": " + json_of(value);
+    };
+    if (!row.name.empty()) add("name", row.name);
+    if (!row.input.empty()) add("input", row.input);
+    for (const auto& [key, value] : row.figures) add(key, value);
+    return '{' + text + '}';
 }
 
 std::string processor() {
@@ -87,7 +92,7 @@ public:
 
 private:
     static void print(const Row& row) {
-        std::cout << row.name << "  " << row.input;
+        if (!row.name.empty()) std::cout << row.name << "  " << row.input;
         for (const auto& [key, value] : row.figures) std::cout << "  " << key << ' ' << json_of(value);
         std::cout << std::endl;
     }

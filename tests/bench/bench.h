@@ -15,7 +15,8 @@
 
 namespace crumple::bench {
 
-// One measured line: what ran, on which input (kind_size: uniform_10k, grid_20, car_2k), and its figures in order.
+// One measured line: what ran, on which input (kind_size: uniform_10k, grid_20, car_2k), and its figures in order. Name
+// and input may be empty: then the figures say it.
 struct Row {
     using Value = std::variant<std::optional<double>, std::string>;
     std::string name;
