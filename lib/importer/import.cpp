@@ -30,6 +30,30 @@ std::vector<Vec3> locked_positions(const Shell& shell) {
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
+VisualMesh read_visual(const std::string& name, const std::string& path, const Params& params, Report& report) {
+    const Scene scene = load_scene(path, Purpose::visual, params);
+    const Placement placement = placement_of(scene, params);
+    const Surface surface = flatten(scene, placement, params, name);
+    if (surface.positions.empty()) throw Error(ErrorKind::bad_input, "it has no vertices");
+    report.visuals.push_back(report_file(name, format_of(path), placement, scene, surface));
+    for (Finding& finding : judge_reading(scene, report.visuals.back())) report.findings.push_back(std::move(finding));
+    return make_visual(name, surface, place_vertex_list(scene, placement));
+}
+
+// Errors of what happens to a file's content after reading begin with its path too.
+template <class Function>
+auto naming(const std::string& path, Function&& function) {
+    try {
+        return function();
+    } catch (const Error& error) {
+        const bool is_about_content = error.kind() == ErrorKind::bad_input || error.kind() == ErrorKind::usage;
+        if (!is_about_content || std::string_view(error.what()).starts_with(path)) throw;
+        throw Error(error.kind(), path + ": " + error.what());
+    }
+}
+
+}
+
 std::vector<std::string> visual_names(const Sources& sources) {
     std::vector<std::string> names;
     std::set<std::string> taken;
@@ -48,29 +72,6 @@ std::vector<std::string> visual_names(const Sources& sources) {
         names.push_back(name);
     }
     return names;
-}
-
-VisualMesh read_visual(const std::string& name, const std::string& path, const Params& params, Report& report) {
-    const Scene scene = load_scene(path, Purpose::visual, params);
-    const Placement placement = placement_of(scene, params);
-    const Surface surface = flatten(scene, placement, params, name);
-    if (surface.positions.empty()) throw Error(ErrorKind::bad_input, "it has no vertices");
-    report.visuals.push_back(report_file(name, format_of(path), placement, scene, surface));
-    for (Finding& finding : judge_reading(scene, report.visuals.back())) report.findings.push_back(std::move(finding));
-    return make_visual(name, surface, place_vertex_list(scene, placement));
-}
-
-// Errors of what happens to a file's content after reading begin with its path too.
-template <class Function>
-auto naming(const std::string& path, Function&& function) {
-    try {
-        return function();
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::bad_input || std::string_view(error.what()).starts_with(path)) throw;
-        throw Error(error.kind(), path + ": " + error.what());
-    }
-}
-
 }
 
 Result import_asset(const Sources& sources, const Params& params, const Context& context) {

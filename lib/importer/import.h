@@ -172,6 +172,9 @@ struct Result {
     Report report;
 };
 
+// As given, else after the file. Throws Error(usage) for one that is no name, or there twice.
+[[nodiscard]] std::vector<std::string> visual_names(const Sources& sources);
+
 // Vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own
 // vertices in the file's order, where the format has an order (OBJ, PLY, OFF, glTF), else one a face corner. Throws
 // Error(file) for a path that cannot be opened, Error(usage) for visual names that are not unique, Error(bad_input) for

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/input_digests.h"
 
-#include <filesystem>
-
 #include "store/read_file.h"
 #include "store/sha256.h"
 
@@ -14,10 +12,9 @@ BundleProvenance::Entry digest_input(const std::string& name, const std::string&
 
 std::vector<BundleProvenance::Entry> digest_inputs(const importer::Sources& sources) {
     std::vector<BundleProvenance::Entry> digests{digest_input("shell", sources.shell)};
-    for (const auto& visual : sources.visuals) {
-        const std::string name = visual.name.empty() ? std::filesystem::path(visual.path).stem().string() : visual.name;
-        digests.push_back(digest_input("visual/" + name, visual.path));
-    }
+    const std::vector<std::string> names = importer::visual_names(sources);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        digests.push_back(digest_input("visual/" + names[i], sources.visuals[i].path));
     return digests;
 }
 

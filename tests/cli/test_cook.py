@@ -129,7 +129,8 @@ class Output(program.Case):
         self.assertEqual([input["name"] for input in report["record"]["inputs"]], ["shell", "visual/visual", "visual/wheel"])
 
     def test_visual_names_must_differ(self):
-        self.fails(self.cook("--visual", self.visual), 1, "visual")
+        for words in [[], ["--dry-run"]]:
+            self.fails(self.cook("--visual", self.visual, *words), 1, "two visual meshes are named 'visual'")
 
     def test_a_cook_without_visual_meshes_works(self):
         self.ok(program.run("cook", "smoke", "--shell", self.shell, "-o", self.output))
