@@ -12,9 +12,7 @@ RemovalResult plan_edge_removal(const WorkMesh& mesh, const SurfaceGuard* guard,
     exchange.clear();
     const std::size_t n = ring.link.size();
     if (n < 3 || n > max_ring || (!ring.is_closed && guard == nullptr)) return RemovalResult::none;
-    for (const Index t : ring.tets) {
-        if (mesh.complex.region(t) != mesh.complex.region(ring.tets[0])) return RemovalResult::none;
-    }
+    if (!is_of_one_region(mesh, ring.tets)) return RemovalResult::none;
     if (!ring.is_closed && !guard->may_flip(mesh, a, b, ring.link.front(), ring.link.back()))
         return RemovalResult::none;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "finish/findings.h"
 #include "finish/improve.h"
 #include "finish/peel.h"
 #include "finish/repair.h"
@@ -22,11 +23,11 @@ void check_input(const Shell& shell, const TetMesh& mesh) {
     CRUMPLE_CHECK(mesh.region.empty() || mesh.region.size() == mesh.tets.size(), "every tet has its region");
 }
 
-void repair(TetMesh& mesh, Report& report, const Context& context) {
-    Repaired repaired = repair_surface(std::move(mesh), context);
+void repair(TetMesh& mesh, const Shell& shell, Report& report, const Context& context) {
+    Repaired repaired = repair_surface(std::move(mesh), shell.locked, context);
     mesh = std::move(repaired.mesh);
     report.repair = {repaired.report.edges_before, repaired.report.nodes_before, repaired.report.nodes_left,
-                     repaired.report.removed, repaired.report.added};
+                     repaired.report.removed,      repaired.report.added,        repaired.report.split};
 }
 
 class Finisher {
@@ -59,6 +60,7 @@ public:
         sum.moves += improved.moves;
         sum.contractions += improved.contractions;
         sum.insertions += improved.insertions;
+        report_.is_out_of_budget |= improved.is_out_of_budget;
         report_.rounds_run += improved.rounds;
         report_.tried += improved.tried;
         report_.budget_used = budget_ > 0 ? static_cast<double>(report_.tried) / static_cast<double>(budget_) : 1;
@@ -93,11 +95,12 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
     Report& report = result.report;
     report.before = quality::summarize(mesh, context);
     if (params.mode == Mode::none) {
-        report.after = report.before;
         result.mesh = std::move(mesh);
+        report.after = report.before;
+        judge_result(shell, result.mesh, report, context);
         return result;
     }
-    repair(mesh, report, context);
+    repair(mesh, shell, report, context);
     Finisher finisher(shell, mesh, params, report, context);
     if (params.mode == Mode::full) {
         finisher.peel_flattest();
@@ -109,6 +112,7 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
     result.mesh = finisher.mesh();
     report.after = quality::summarize(result.mesh, context);
     report.volume_change = report.before.volume > 0 ? report.after.volume / report.before.volume - 1 : 0;
+    judge_result(shell, result.mesh, report, context);
     return result;
 }
 

@@ -30,7 +30,7 @@ struct Params {
     double surface_gap = 0.01;
     double surface_gap_diagonal = 1e-3;
     double target_deg = 40;
-    double insert_below_deg = 15;
+    double insert_below_deg = 12;
     std::uint32_t rounds = 10;
     std::uint32_t budget = 400;
 };
@@ -80,6 +80,7 @@ struct Repair {
     std::uint64_t nodes_left = 0;
     std::uint64_t removed = 0;
     std::uint64_t added = 0;
+    std::uint64_t split = 0;
 };
 
 template <class Visitor, FieldsOf<Repair> P>
@@ -89,6 +90,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("nodes_left", p.nodes_left, "nodes where it still does");
     visit.field("removed", p.removed, "tets taken away to part it");
     visit.field("added", p.added, "tets added to join it");
+    visit.field("split", p.split, "nodes copied, so that parts no longer touch there");
 }
 
 struct Report {
@@ -102,6 +104,11 @@ struct Report {
     std::uint32_t rounds_run = 0;
     std::uint64_t tried = 0;
     double budget_used = 0;
+    bool is_out_of_budget = false;
+    std::uint64_t forced_thin = 0;
+    std::uint64_t forced_needle = 0;
+    std::uint64_t failed = 0;
+    // FINISH_BAD_TETS, FINISH_FORCED_THIN, FINISH_FORCED_NEEDLE, FINISH_REPAIRED, FINISH_NON_MANIFOLD, FINISH_BUDGET
     std::vector<Finding> findings;
 };
 
@@ -116,7 +123,11 @@ void describe(Visitor& visit, P& p) {
     visit.field("operations", p.operations, "what was done");
     visit.field("rounds_run", p.rounds_run, "over all bad tets whose surroundings changed");
     visit.field("tried", p.tried, "operations tried, whether they led to a change or not");
-    visit.field("budget_used", p.budget_used, "share of the operations allowed; 1: stopped for want of budget");
+    visit.field("budget_used", p.budget_used, "share of the operations allowed");
+    visit.field("is_out_of_budget", p.is_out_of_budget, "stopped because that was all");
+    visit.field("forced_thin", p.forced_thin, "tets left below 10 degrees because the shell is thin there");
+    visit.field("forced_needle", p.forced_needle, "tets left below 10 degrees because the shell has a needle there");
+    visit.field("failed", p.failed, "tets left below 10 degrees that the shell does not force");
     visit.field("findings", p.findings, "what a person should know");
 }
 

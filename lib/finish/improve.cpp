@@ -151,7 +151,8 @@ private:
 
     bool mend_by_insertion(Index tet) {
         if (mesh_.shape(tet) >= insert_below_ || !spend()) return false;
-        if (!plan_insertion(mesh_, tet, mesh_.shape(tet) + least_gain, insertion_)) return false;
+        // A node costs: it has to lift the tet out of the bad ones.
+        if (!plan_insertion(mesh_, tet, insert_below_, insertion_)) return false;
         const Index node = add_node(mesh_, insertion_.place);
         for (Tet& fresh : insertion_.exchange.fresh) fresh[0] = node;
         ++report_.insertions;

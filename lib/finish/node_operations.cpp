@@ -65,11 +65,9 @@ struct Rim {
 
 class Hole {
 public:
-    Hole(const WorkMesh& mesh, Index tet) : mesh_(mesh) {
-        Vec3 sum{};
-        for (const Index v : mesh.complex.corners(tet)) sum += mesh.at(v);
-        place_ = round_to_float(sum * 0.25);
-        add(tet);
+    // Around `place`, which lies in `tets`.
+    Hole(const WorkMesh& mesh, Vec3 place, std::span<const Index> tets) : mesh_(mesh), place_(round_to_float(place)) {
+        for (const Index t : tets) add(t);
     }
 
     // Takes in the tet behind the worst face until that face makes a tet better than `floor`.
@@ -98,6 +96,12 @@ public:
         return true;
     }
 
+    [[nodiscard]] double least() const {
+        double least = 1;
+        for (const Rim& r : rim_) least = std::min(least, r.shape);
+        return least;
+    }
+
     [[nodiscard]] const std::vector<Index>& tets() const { return tets_; }
     [[nodiscard]] const std::vector<Rim>& rim() const { return rim_; }
     [[nodiscard]] Vec3 place() const { return place_; }
@@ -124,20 +128,46 @@ private:
 
 }
 
-bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& insertion) {
-    Hole hole(mesh, tet);
+namespace {
+
+bool plan_in_hole(const WorkMesh& mesh, Hole hole, double floor, Insertion& insertion) {
     // A hole is good enough to start from when the node sees all of it; moving the node must do the rest.
     if (!hole.grow(0.3 * floor) || !hole.keeps_its_nodes()) return false;
     std::vector<OppositeFace> faces;
     for (const Rim& r : hole.rim()) faces.push_back(places_of(mesh, r.face));
-    const auto better = find_better_place(hole.place(), faces, floor);
-    if (!better || !is_positive_towards(better->place, faces)) return false;
+    Vec3 place = hole.place();
+    double least = hole.least();
+    for (int step = 0; step < 3; ++step) {
+        const auto better = find_better_place(place, faces, 0);
+        if (!better) break;
+        place = better->place;
+        least = better->least;
+    }
+    if (!(least > floor) || !is_positive_towards(place, faces)) return false;
     insertion.exchange.clear();
     insertion.exchange.old = hole.tets();
-    insertion.exchange.least = better->least;
+    insertion.exchange.least = least;
     for (const Rim& r : hole.rim()) insertion.exchange.fresh.push_back({none, r.face[0], r.face[1], r.face[2]});
-    insertion.place = better->place;
+    insertion.place = place;
     return true;
+}
+
+}
+
+bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& insertion) {
+    const Tet corners = mesh.complex.corners(tet);
+    const Vec3 middle = (mesh.at(corners[0]) + mesh.at(corners[1]) + mesh.at(corners[2]) + mesh.at(corners[3])) * 0.25;
+    bool is_found = plan_in_hole(mesh, Hole(mesh, middle, std::span(&tet, 1)), floor, insertion);
+    TetRing ring;
+    for (const auto& edge : tet_edge_corners) {
+        const Index a = corners[edge[0]];
+        const Index b = corners[edge[1]];
+        mesh.complex.ring_of(tet, a, b, ring);
+        if (!ring.is_closed || ring.tets.size() > largest_hole || !is_of_one_region(mesh, ring.tets)) continue;
+        if (is_found) floor = insertion.exchange.least;
+        is_found |= plan_in_hole(mesh, Hole(mesh, (mesh.at(a) + mesh.at(b)) * 0.5, ring.tets), floor, insertion);
+    }
+    return is_found;
 }
 
 }

@@ -19,13 +19,14 @@ namespace crumple::finish {
 [[nodiscard]] bool plan_contraction(const WorkMesh& mesh, Index node, std::span<const Index> star, Index target,
                                     double floor, Exchange& exchange);
 
-// A new node amid bad tets: the faces around a growing hole are joined to it and it is moved where that is best.
+// A new node amid bad tets: the faces around a hole are joined to it and it is moved where that is best.
 struct Insertion {
     Exchange exchange;  // the new node is written as `none`
     Vec3 place;
 };
 
-// False unless every new tet is better than `floor` and exactly positive.
+// Tries the middle of the tet and of each of its edges. False unless every new tet is better than `floor` and exactly
+// positive.
 [[nodiscard]] bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& insertion);
 
 }

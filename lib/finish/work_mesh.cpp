@@ -30,11 +30,9 @@ double least_shape(const WorkMesh& mesh, std::span<const Index> tets) {
     return least;
 }
 
-Index common_region(const WorkMesh& mesh, std::span<const Index> tets) {
-    for (const Index t : tets) {
-        if (mesh.complex.region(t) != mesh.complex.region(tets[0])) return none;
-    }
-    return mesh.complex.region(tets[0]);
+bool is_of_one_region(const WorkMesh& mesh, std::span<const Index> tets) {
+    return std::all_of(tets.begin(), tets.end(),
+                       [&](Index t) { return mesh.complex.region(t) == mesh.complex.region(tets[0]); });
 }
 
 std::span<const Index> apply(WorkMesh& mesh, const Exchange& exchange) {

@@ -52,8 +52,7 @@ struct WorkMesh {
 
 [[nodiscard]] double shape_of(const WorkMesh& mesh, const Tet& tet);
 
-// Every tet of one region, which is told; none where they differ.
-[[nodiscard]] Index common_region(const WorkMesh& mesh, std::span<const Index> tets);
+[[nodiscard]] bool is_of_one_region(const WorkMesh& mesh, std::span<const Index> tets);
 
 // REQUIRES: exchange.old not empty, of one region. The slots of the fresh tets, good until the next change.
 std::span<const Index> apply(WorkMesh& mesh, const Exchange& exchange);

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finish/repair.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "mesh/shapes.h"
+#include "mesh/validate.h"
+#include "small_meshes.h"
+
+namespace crumple::finish {
+namespace {
+
+// The tets of a grid of cells whose cell is wanted; cells count from the low corner.
+TetMesh cells(int per_axis, const std::function<bool(int x, int y, int z)>& is_wanted) {
+    TetMesh mesh = shapes::tet_grid(per_axis, {0, 0, 0}, Vec3{1, 1, 1} * per_axis);
+    std::erase_if(mesh.tets, [&](const Tet& tet) {
+        Vec3 sum{};
+        for (const Index v : tet) sum += mesh.positions[v];
+        return !is_wanted(static_cast<int>(sum.x / 4), static_cast<int>(sum.y / 4), static_cast<int>(sum.z / 4));
+    });
+    mesh.region.assign(mesh.tets.size(), 0);
+    mesh.neighbours = neighbours_of(mesh.tets);
+    return mesh;
+}
+
+void expect_mended(const TetMesh& mesh) {
+    const NonManifold before = non_manifold(boundary_of(mesh).faces);
+    ASSERT_FALSE(before.vertices.empty());
+    const Repaired repaired = repair_surface(mesh, {}, {});
+    const NonManifold after = non_manifold(boundary_of(repaired.mesh).faces);
+    EXPECT_TRUE(after.vertices.empty());
+    EXPECT_TRUE(after.edges.empty());
+    EXPECT_EQ(repaired.report.nodes_before, before.vertices.size());
+    EXPECT_EQ(repaired.report.edges_before, before.edges.size());
+    EXPECT_EQ(repaired.report.nodes_left, 0u);
+    EXPECT_GT(repaired.report.removed + repaired.report.added + repaired.report.split, 0u);
+    EXPECT_TRUE(small::is_all_positive(repaired.mesh));
+    EXPECT_TRUE(validate(repaired.mesh, 1).empty());
+    EXPECT_NEAR(small::volume_of(repaired.mesh),
+                small::volume_of(mesh) - repaired.report.volume_removed + repaired.report.volume_added, 1e-12);
+    // A tet or two, not a block.
+    EXPECT_LT(repaired.report.volume_removed + repaired.report.volume_added, 0.7);
+}
+
+TEST(Repair, OfNothingIsNothing) {
+    const Repaired repaired = repair_surface({}, {}, {});
+    EXPECT_TRUE(repaired.mesh.tets.empty());
+    EXPECT_EQ(repaired.report.nodes_before, 0u);
+}
+
+TEST(Repair, LeavesAManifoldAsItIs) {
+    const TetMesh mesh = cells(3, [](int x, int y, int z) { return x != 1 || y != 1 || z != 2; });
+    const Repaired repaired = repair_surface(mesh, {}, {});
+    EXPECT_EQ(repaired.mesh.tets, mesh.tets);
+    EXPECT_EQ(repaired.report.removed + repaired.report.added, 0u);
+}
+
+TEST(Repair, PartsOrJoinTwoBlocksThatShareAnEdge) {
+    expect_mended(cells(2, [](int x, int y, int) { return x == y; }));
+    expect_mended(cells(2, [](int x, int y, int) { return x != y; }));
+}
+
+TEST(Repair, PartsOrJoinTwoBlocksThatShareANode) {
+    expect_mended(cells(2, [](int x, int y, int z) { return x == y && y == z; }));
+    expect_mended(cells(2, [](int x, int y, int z) { return x != y && y == z; }));
+}
+
+TEST(Repair, OpensACavityThatTouchesTheOutside) {
+    // A hole of one cell inside that shares an edge with a notch at the surface.
+    expect_mended(
+        cells(4, [](int x, int y, int z) { return !(x == 1 && y == 1 && z == 1) && !(x == 0 && y == 0 && z == 1); }));
+}
+
+// Two tets that share node 0 and nothing else.
+TetMesh bow_tie() {
+    return small::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+                          {{0, 1, 2, 3}, {0, 4, 6, 5}}, 7);
+}
+
+TEST(Repair, PartsThatShareOnlyANodeGetOneEach) {
+    const TetMesh mesh = bow_tie();
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    const Repaired repaired = repair_surface(mesh, {}, {});
+    EXPECT_EQ(repaired.mesh.tets.size(), 2u) << "the last tet of a shell vertex stays";
+    EXPECT_EQ(repaired.report.split, 1u);
+    EXPECT_EQ(repaired.report.nodes_left, 0u);
+    ASSERT_EQ(repaired.mesh.positions.size(), 8u);
+    EXPECT_EQ(repaired.mesh.positions[7], mesh.positions[0]);
+    EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), repaired.mesh.positions.begin()));
+}
+
+TEST(Repair, ALockedNodeIsNotCopied) {
+    const TetMesh mesh = bow_tie();
+    const std::uint8_t locked[] = {1, 0, 0, 0, 0, 0, 0};
+    const Repaired repaired = repair_surface(mesh, locked, {});
+    EXPECT_EQ(repaired.report.split, 0u);
+    EXPECT_EQ(repaired.report.nodes_left, 1u);
+    EXPECT_EQ(repaired.mesh.positions, mesh.positions);
+}
+
+}
+}
