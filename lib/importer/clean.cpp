@@ -186,16 +186,16 @@ std::uint64_t flatten_out(const Surface& surface, Welded& shell, std::vector<Fin
     return finding.count;
 }
 
-std::uint64_t drop_unused_vertices(Welded& shell) {
+void drop_unused_vertices(Welded& shell, Finding& unused_locks) {
     std::vector<Index> number(shell.positions.size(), none);
     for (const Triangle& t : shell.triangles) {
         for (const Index v : t) number[v] = 0;
     }
-    std::uint64_t unused_locks = 0;
     Index kept = 0;
     for (Index v = 0; v < number.size(); ++v) {
         if (number[v] == none) {
-            unused_locks += shell.locked[v];
+            if (shell.locked[v] && unused_locks.count++ < max_places)
+                unused_locks.places.push_back({shell.positions[v], shell.source_vertex[v], ""});
             continue;
         }
         number[v] = kept;
@@ -210,7 +210,6 @@ std::uint64_t drop_unused_vertices(Welded& shell) {
     shell.locked.resize(kept);
     shell.source_vertex.resize(kept);
     for (Triangle& t : shell.triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
-    return unused_locks;
 }
 
 }
@@ -220,14 +219,13 @@ Cleaned clean(const Surface& surface, Welded& welded) {
     result.repeated_index = drop_repeated_indices(welded);
     result.duplicates = drop_duplicates(surface, welded, result.findings);
     result.zero_area = flatten_out(surface, welded, result.findings);
-    result.unused_locks = drop_unused_vertices(welded);
-    if (result.unused_locks > 0) {
-        result.findings.push_back(
-            {"LOCK_UNUSED",
-             Severity::warning,
-             std::to_string(result.unused_locks) + " locked vertices belong to no triangle and were dropped",
-             result.unused_locks,
-             {}});
+    Finding unused_locks{"LOCK_UNUSED", Severity::warning, "", 0, {}};
+    drop_unused_vertices(welded, unused_locks);
+    result.unused_locks = unused_locks.count;
+    if (unused_locks.count > 0) {
+        unused_locks.message =
+            std::to_string(unused_locks.count) + " locked vertices belong to no triangle and were dropped";
+        result.findings.push_back(unused_locks);
     }
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "core/error.h"
@@ -17,6 +18,16 @@ namespace {
 // A coordinate this many times the box diagonal keeps 24 - 13 = 11 bits for the shape: details of 1/2000 are lost.
 constexpr double far_away = 1e4;
 
+// Metres across that a simulated object rarely has.
+constexpr double smallest_usual = 0.01;
+constexpr double largest_usual = 100;
+
+struct Unit {
+    double metres;
+    const char* name;
+};
+constexpr Unit usual_units[] = {{1, "metres"}, {0.01, "centimetres"}, {0.001, "millimetres"}, {0.0254, "inches"}};
+
 // More than this share locked is rarely meant: black is a common default fill.
 constexpr double nearly_all = 0.95;
 
@@ -30,6 +41,12 @@ bool is_flat(const std::vector<Vec3>& p) {
         if (orient3d(p[0], p[second], p[third], p[v]) != 0) return false;
     }
     return true;
+}
+
+std::string shortest(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
 }
 
 std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share))) + " %"; }
@@ -119,6 +136,31 @@ std::vector<Finding> judge_shape(const Shell& shell, const Context& context, std
     finish(hollow, " closed components enclose nothing (front and back coincide); export single-sided surfaces",
            findings);
     return findings;
+}
+
+std::vector<Finding> judge_unused_locks(const Scene& scene, const std::vector<Vec3>& vertex_list,
+                                        const std::vector<std::uint8_t>& is_used) {
+    Finding finding{"LOCK_UNUSED", Severity::warning, "", 0, {}};
+    for (std::size_t v = 0; v < scene.file_reds.size(); ++v) {
+        if (is_used[v] || !is_locked(scene.file_reds[v])) continue;
+        if (finding.count++ < max_places) finding.places.push_back({vertex_list[v], static_cast<Index>(v), ""});
+    }
+    std::vector<Finding> findings;
+    finish(finding, " locked vertices belong to no face and were dropped", findings);
+    return findings;
+}
+
+std::vector<Finding> judge_size(double diagonal, const Placement& placement) {
+    if (!(diagonal > 0) || (diagonal >= smallest_usual && diagonal <= largest_usual)) return {};
+    std::string message = "the shell's diagonal is " + shortest(diagonal) + " m, read at " + shortest(placement.unit) +
+                          " m a unit of the file";
+    for (const auto& [unit, name] : usual_units) {
+        const double meant = diagonal / placement.unit * unit;
+        if (unit == placement.unit || meant < 0.1 || meant > 50) continue;
+        message += "; if the file is in " + std::string(name) + ", --unit " + shortest(unit) + " makes it " +
+                   shortest(meant) + " m";
+    }
+    return {{"IMPORT_SIZE_UNUSUAL", Severity::warning, message, 1, {}}};
 }
 
 std::vector<Finding> judge_precision(const Shell& shell, double diagonal) {

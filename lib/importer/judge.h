@@ -7,6 +7,7 @@
 #include "core/finding.h"
 #include "importer/import.h"
 #include "importer/paint.h"
+#include "importer/surface.h"
 #include "mesh/shell.h"
 
 namespace crumple::importer {
@@ -17,6 +18,13 @@ void check_usable(const Shell& shell, std::uint64_t file_triangles);
 // Pairs of triangles that meet, within a component and between two; components that enclose nothing.
 [[nodiscard]] std::vector<Finding> judge_shape(const Shell& shell, const Context& context,
                                                std::uint64_t& intersections);
+
+// Painted vertices of a vertex list that no face uses: a lock that would vanish without a word.
+[[nodiscard]] std::vector<Finding> judge_unused_locks(const Scene& scene, const std::vector<Vec3>& vertex_list,
+                                                      const std::vector<std::uint8_t>& is_used);
+
+// A size that no vehicle or prop has: the file's unit was not what it was read as.
+[[nodiscard]] std::vector<Finding> judge_size(double diagonal, const Placement& placement);
 
 // A box so far from the origin that its floats are coarse.
 [[nodiscard]] std::vector<Finding> judge_precision(const Shell& shell, double diagonal);

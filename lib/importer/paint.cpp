@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "core/error.h"
 
 namespace crumple::importer {
 
 namespace {
-
-// NaN compares false: a red that is no number locks nothing, and neither does minus infinity.
-bool is_locked(float red) { return std::isfinite(red) && red < locked_below; }
 
 bool has_color(const Surface& surface, std::size_t v) { return surface.parts[surface.vertex_part[v]].has_color; }
 
@@ -81,7 +81,9 @@ std::uint64_t locked_in_set(const Scene& scene, std::size_t set) {
     return count;
 }
 
+// Set 0 is what is read unless someone asks: only then can paint in another set be an oversight.
 void find_other_sets(const Scene& scene, std::size_t set_count, std::uint32_t chosen, std::vector<Finding>& findings) {
+    if (chosen != 0) return;
     for (std::size_t set = 0; set < set_count; ++set) {
         if (set == chosen) continue;
         const std::string name = std::to_string(set);
@@ -112,12 +114,23 @@ void find_uncolored_parts(const Surface& surface, std::vector<Finding>& findings
     findings.push_back(std::move(finding));
 }
 
+void check_set_exists(std::size_t set_count, std::uint32_t chosen) {
+    if (chosen == 0 || chosen < set_count) return;
+    std::string known = set_count == 0 ? "the file has no vertex colours" : "the file has set 0";
+    for (std::size_t set = 1; set < set_count; ++set) known += ", " + std::to_string(set);
+    throw Error(ErrorKind::usage,
+                "import.color_set (--color-set): there is no colour set " + std::to_string(chosen) + "; " + known);
 }
+
+}
+
+bool is_locked(float red) { return std::isfinite(red) && red < locked_below; }
 
 PaintedVertices read_paint(const Scene& scene, const Format& format, const Params& params, Surface& surface) {
     PaintedVertices result;
     result.set_count = count_sets(scene);
     result.paint.assign(surface.positions.size(), Paint::none);
+    check_set_exists(result.set_count, params.color_set);
     find_other_sets(scene, result.set_count, params.color_set, result.findings);
     const bool any =
         std::any_of(surface.parts.begin(), surface.parts.end(), [](const Part& part) { return part.has_color; });

@@ -22,6 +22,7 @@ struct ReadNumber {
 struct Prescan {
     std::vector<Vec3f> positions;         // the file's vertices in order, nearest float; empty: nothing to restore
     std::vector<Vec3f> assimp_positions;  // OBJ: the same as assimp's parser reads them, by which its corners are found
+    std::vector<float> reds;              // OBJ: of positions, where all have colours
     std::vector<ReadNumber> numbers;      // every number of other text formats, ascending by read, then exact
     std::vector<Affine> transforms;       // glTF: of its nodes
     std::uint64_t expected_triangles = 0;  // from polygon sizes, 0: not counted

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "importer/assimp_number.h"
+#include "importer/coordinate.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -71,6 +72,8 @@ Vec3f exact_position(const VertexLine& vertex, std::size_t line) {
         // Through double: a number too small for a float is 0, not an error.
         const auto value = to_number<double>(word);
         if (!value) refuse(line, in_quotes(word) + " is not a number");
+        if (const auto fault = coordinate_fault(*value); !fault.empty())
+            refuse(line, "coordinate " + in_quotes(word) + " " + std::string(fault));
         position[axis] = static_cast<float>(*value);
     }
     return position;
@@ -96,10 +99,53 @@ void check_number_count(std::size_t count, std::size_t& first_count, std::size_t
     }
 }
 
-std::uint64_t triangles_of_polygon(std::string_view line) {
-    std::uint64_t corners = 0;
-    for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line)) ++corners;
-    return corners < 3 ? 0 : corners - 2;
+// Faces may refer to vertices that come later, so the largest number is compared at the end.
+class Faces {
+public:
+    // Returns the number of triangles of an `f` line.
+    std::uint64_t read(std::string_view text, std::size_t line, std::size_t vertices_so_far) {
+        std::uint64_t corners = 0;
+        for (std::string_view word = next_word(text); !word.empty() && word[0] != '#'; word = next_word(text)) {
+            check_corner(word, line, vertices_so_far);
+            ++corners;
+        }
+        if (corners < 3) {
+            refuse(line, "an `f` line of " + std::to_string(corners) +
+                             " corners; a face has at least 3 (the file may be cut short)");
+        }
+        return corners - 2;
+    }
+
+    void check_against(std::size_t vertex_count) const {
+        if (largest_ > vertex_count) refuse_missing(std::to_string(largest_), line_of_largest_, vertex_count);
+    }
+
+private:
+    void check_corner(std::string_view word, std::size_t line, std::size_t vertices_so_far) {
+        const std::string_view number = word.substr(0, word.find('/'));
+        const auto vertex = to_number<std::int64_t>(number);
+        if (!vertex) refuse(line, in_quotes(word) + " is no corner of a face; write a vertex number");
+        // Numbers below 0 count backwards from the last vertex.
+        const bool is_before_first = *vertex < 0 && -*vertex > static_cast<std::int64_t>(vertices_so_far);
+        if (*vertex == 0 || is_before_first) refuse_missing(std::string(number), line, vertices_so_far);
+        if (*vertex > 0 && static_cast<std::uint64_t>(*vertex) > largest_) {
+            largest_ = static_cast<std::uint64_t>(*vertex);
+            line_of_largest_ = line;
+        }
+    }
+
+    [[noreturn]] static void refuse_missing(const std::string& vertex, std::size_t line, std::size_t count) {
+        refuse(line, "a face refers to vertex " + vertex + " of " + std::to_string(count) + "; the file is damaged");
+    }
+
+    std::uint64_t largest_ = 0;
+    std::size_t line_of_largest_ = 0;
+};
+
+// The red of a `v` line as it stands there, for vertices that no face uses: the reader drops those.
+float red_of(const VertexLine& vertex) {
+    const auto red = vertex.count == 6 ? to_number<double>(vertex.words[3]) : std::nullopt;
+    return static_cast<float>(red.value_or(1));
 }
 
 }
@@ -107,16 +153,21 @@ std::uint64_t triangles_of_polygon(std::string_view line) {
 Prescan prescan_obj(std::string_view text, Purpose purpose) {
     Prescan result;
     Lines lines(text);
+    Faces faces;
     std::size_t first_count = 0;
     for (std::string_view line; lines.next(line);) {
         const std::string_view keyword = next_word(line);
-        if (keyword == "f") result.expected_triangles += triangles_of_polygon(line);
+        if (keyword == "f") {
+            result.expected_triangles += faces.read(line, lines.number(), result.positions.size());
+        }
         if (keyword != "v") continue;
         const VertexLine vertex = split(line);
         check_number_count(vertex.count, first_count, lines.number(), purpose);
         result.positions.push_back(exact_position(vertex, lines.number()));
         result.assimp_positions.push_back(assimp_position(vertex, result.positions.back()));
+        if (purpose == Purpose::shell && vertex.count == 6) result.reds.push_back(red_of(vertex));
     }
+    faces.check_against(result.positions.size());
     if (result.positions.empty()) throw Error(ErrorKind::bad_input, "no `v` line: this is no OBJ file with vertices");
     return result;
 }

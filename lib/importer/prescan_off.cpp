@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "importer/coordinate.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -70,6 +71,8 @@ Vec3f read_position(std::string_view line, const Lines& lines) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto value = to_number<double>(next_word(line));
         if (!value) refuse(lines.place() + "three coordinates expected");
+        if (const auto fault = coordinate_fault(*value); !fault.empty())
+            refuse(lines.place() + "a coordinate " + std::string(fault));
         position[axis] = static_cast<float>(*value);
     }
     return position;

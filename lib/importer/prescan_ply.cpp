@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "importer/coordinate.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -251,7 +252,11 @@ void read_row(Body& body, const Element& element, std::uint64_t row, std::uint64
             read_list(body, element, property, row);
         } else {
             const double value = body.next(property.type, element, row);
-            if (const int axis = axis_of(element, property); axis >= 0) position[axis] = static_cast<float>(value);
+            const int axis = axis_of(element, property);
+            if (axis < 0) continue;
+            if (const auto fault = coordinate_fault(value); !fault.empty())
+                refuse("coordinate " + property.name + " of " + place(element, row) + " " + std::string(fault));
+            position[axis] = static_cast<float>(value);
         }
     }
     if (element.name == "vertex") result.positions.push_back(position);

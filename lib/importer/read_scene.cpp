@@ -43,10 +43,13 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
 std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (text.find("mNumMeshes is 0") != std::string::npos) return "it has no faces";
+    if (text.find("mNumMeshes is 0") != std::string::npos || text.find("contains no faces") != std::string::npos)
+        return "it has no faces, only points; a surface is needed";
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
         text.replace(at, path.size(), "the file");
-    return text.empty() ? "it cannot be read" : text;
+    return "it cannot be read: it is damaged, cut short, or of a version that is not known; export it again, or in "
+           "another format" +
+           (text.empty() ? "" : " (the reader says: " + text + ")");
 }
 
 std::string generator_of(const aiScene& scene) {

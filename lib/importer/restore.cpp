@@ -53,6 +53,7 @@ void restore_vertex_list(Prescan scan, Scene& scene) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.positions[v] = scan.positions[mesh.file_vertex[v]];
     }
     scene.file_positions = std::move(scan.positions);
+    scene.file_reds = std::move(scan.reds);
 }
 
 bool is_same_number(float exact, float read) {

@@ -12,7 +12,7 @@ namespace crumple::importer {
 
 namespace {
 
-constexpr std::uint32_t scene_magic = 0x31637363;
+constexpr std::uint32_t scene_magic = 0x32637363;
 constexpr std::size_t max_color_sets = 8;
 
 class Writer {
@@ -141,15 +141,18 @@ bool is_finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std
 
 void check_positions(const std::vector<Vec3f>& positions, const std::string& whose) {
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        if (is_finite(positions[v])) continue;
+        const Vec3f& p = positions[v];
+        if (is_finite(p)) continue;
+        const bool is_no_number = std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z);
         throw Error(ErrorKind::bad_input,
-                    "vertex " + std::to_string(v) + " of " + whose + " has a coordinate that is not a finite number");
+                    "vertex " + std::to_string(v) + " of " + whose + " has a coordinate that is " +
+                        (is_no_number ? "not a number" : "infinite or beyond the range of a float"));
     }
 }
 
 void check_mesh(const Scene& scene, const SceneMesh& mesh) {
     const std::size_t vertex_count = mesh.positions.size();
-    check_positions(mesh.positions, "mesh '" + mesh.name + "'");
+    check_positions(mesh.positions, mesh.name.empty() ? "the file" : "mesh '" + mesh.name + "'");
     for (const Triangle& triangle : mesh.triangles) {
         for (const Index v : triangle) {
             if (v >= vertex_count) damaged("a triangle refers to a vertex that is not there");
@@ -172,6 +175,8 @@ void check(const Scene& scene) {
     if (!all_finite(scene.axes)) damaged("the axes are not finite");
     if (scene.meshes.size() >= none || scene.nodes.size() >= none) damaged("it has too many parts");
     check_positions(scene.file_positions, "the file");
+    if (!scene.file_reds.empty() && scene.file_reds.size() != scene.file_positions.size())
+        damaged("the colours have the wrong size");
     for (const SceneMesh& mesh : scene.meshes) check_mesh(scene, mesh);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const SceneNode& node = scene.nodes[i];
@@ -202,6 +207,7 @@ std::vector<std::byte> encode(const Scene& scene) {
     out.number(scene.axes);
     out.number(scene.expected_triangles);
     out.array(scene.file_positions);
+    out.array(scene.file_reds);
     out.number<std::uint64_t>(scene.meshes.size());
     for (const SceneMesh& mesh : scene.meshes) write_mesh(out, mesh);
     out.number<std::uint64_t>(scene.nodes.size());
@@ -219,6 +225,7 @@ Scene decode(std::span<const std::byte> bytes) {
     scene.axes = in.number<std::array<double, 9>>();
     scene.expected_triangles = in.number<std::uint64_t>();
     scene.file_positions = in.array<Vec3f>();
+    scene.file_reds = in.array<float>();
     constexpr std::size_t smallest_mesh = 8 * sizeof(std::uint64_t);
     scene.meshes.resize(in.count(smallest_mesh));
     for (SceneMesh& mesh : scene.meshes) mesh = read_mesh(in);

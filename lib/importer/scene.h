@@ -43,6 +43,7 @@ struct Scene {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1};  // 3 x 3 row-major: from the file's axes to Y up
     std::uint64_t expected_triangles = 0;  // by the file's own count of polygon corners, 0: not counted
     std::vector<Vec3f> file_positions;  // the file's vertex list where it is indexed apart from faces (OBJ), else empty
+    std::vector<float> file_reds;       // of file_positions as the file states them, or empty: it has no colours
     std::vector<SceneMesh> meshes;
     std::vector<SceneNode> nodes;
 };

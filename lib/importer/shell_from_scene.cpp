@@ -22,24 +22,24 @@ void append(std::vector<Finding>& to, std::vector<Finding> from) {
     std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
-// Vertices of the file that no triangle uses. In a vertex list, one whose position is used counts as used.
-std::uint64_t count_unused(const Surface& surface, const std::vector<Vec3>& vertex_list) {
+// By vertex of the file: whether a triangle uses it. In a vertex list, one whose position is used counts as used.
+std::vector<std::uint8_t> used_vertices(const Surface& surface, const std::vector<Vec3>& vertex_list) {
+    std::vector<std::uint8_t> used(surface.source_vertex_count, 0);
     if (!surface.has_vertex_list) {
-        std::vector<bool> used(surface.source_vertex_count, false);
         for (const Triangle& t : surface.triangles) {
-            for (const Index v : t) used[surface.source_vertex[v]] = true;
+            for (const Index v : t) used[surface.source_vertex[v]] = 1;
         }
-        return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
+        return used;
     }
     const auto less = [](const Vec3& a, const Vec3& b) { return lexicographic_less(a, b); };
-    std::vector<Vec3> used;
+    std::vector<Vec3> places;
     for (const Triangle& t : surface.triangles) {
-        for (const Index v : t) used.push_back(surface.positions[v]);
+        for (const Index v : t) places.push_back(surface.positions[v]);
     }
-    std::sort(used.begin(), used.end(), less);
-    return static_cast<std::uint64_t>(std::count_if(vertex_list.begin(), vertex_list.end(), [&](const Vec3& p) {
-        return !std::binary_search(used.begin(), used.end(), p, less);
-    }));
+    std::sort(places.begin(), places.end(), less);
+    for (std::size_t v = 0; v < vertex_list.size(); ++v)
+        used[v] = std::binary_search(places.begin(), places.end(), vertex_list[v], less) ? 1 : 0;
+    return used;
 }
 
 Welded weld_and_report(const Surface& surface, const PaintedVertices& painted, const Params& params, Report& report) {
@@ -108,7 +108,10 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     const PaintedVertices painted = read_paint(scene, format, params, surface);
     report.color_sets = painted.set_count;
     report.painted_copies = painted.locked_count;
-    report.unused_vertices = count_unused(surface, place_vertex_list(scene, placement));
+    const std::vector<Vec3> vertex_list = place_vertex_list(scene, placement);
+    const std::vector<std::uint8_t> is_used = used_vertices(surface, vertex_list);
+    report.unused_vertices = static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), 0));
+    append(report.findings, judge_unused_locks(scene, vertex_list, is_used));
     append(report.findings, judge_generator(scene, painted.set_count));
     context.stop_if_cancelled();
 
@@ -123,6 +126,7 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     append(report.findings, assign_roles(surface, components, params, shell));
     report_shell(shell, components, report);
     append(report.findings, judge_shape(shell, context, report.self_intersections));
+    append(report.findings, judge_size(report.diagonal, placement));
     append(report.findings, judge_precision(shell, report.diagonal));
     append(report.findings, judge_locks(shell, painted, conflicts, params));
     return shell;

@@ -66,11 +66,20 @@ std::optional<double> number_of(std::string_view word) {
     return number;
 }
 
+// Such as x,y,z: no word of it is a number.
+bool is_heading(std::string_view line) {
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+        if (number_of(word)) return false;
+    }
+    return true;
+}
+
 Vec3 point_of(std::string_view line, const Lines& lines) {
     Vec3 point;
     for (int axis = 0; axis < 3; ++axis) {
         const std::string_view word = take_word(line);
         const std::optional<double> number = number_of(word);
+        if (word.empty()) lines.refuse("expected three numbers x y z, found " + std::to_string(axis));
         if (!number) lines.refuse("expected three numbers x y z, found '" + std::string(word.substr(0, 40)) + "'");
         if (!std::isfinite(*number)) lines.refuse("a coordinate is not finite");
         point[axis] = *number + 0.0;  // -0 becomes 0
@@ -82,6 +91,33 @@ std::size_t count_words(std::string_view line) {
     std::size_t count = 0;
     while (!take_word(line).empty()) ++count;
     return count;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// "1,5 2,5 3,5": commas within numbers that something else separates. Read as six numbers it would be two wrong points.
+bool has_decimal_commas(std::string_view line) {
+    std::size_t numbers = 0;
+    std::size_t with_comma = 0;
+    while (!line.empty()) {
+        const std::size_t end = std::min(line.find_first_of(" \t\r;"), line.size());
+        const std::string_view word = line.substr(0, end);
+        line.remove_prefix(std::min(end + 1, line.size()));
+        const std::size_t comma = word.find(',');
+        numbers += !word.empty();
+        with_comma += comma != std::string_view::npos && comma > 0 && comma + 1 < word.size() &&
+                      is_digit(word[comma - 1]) && is_digit(word[comma + 1]);
+    }
+    return numbers >= 3 && with_comma > 0;
+}
+
+// A line of x y z and nothing else: what more there is may be a colour or a fourth coordinate, who knows.
+Vec3 whole_point_of(const Lines& lines) {
+    if (has_decimal_commas(lines.line())) lines.refuse("numbers with decimal commas; write 1.5 for 1,5");
+    const Vec3 point = point_of(lines.line(), lines);
+    const std::size_t columns = count_words(lines.line());
+    if (columns > 3) lines.refuse(std::to_string(columns) + " columns where x y z were expected; leave out the others");
+    return point;
 }
 
 void add_point(PointSet& points, Vec3 point, const Lines& lines) {
@@ -111,10 +147,10 @@ PointSet parse_points(std::string_view text, std::string_view source) {
     PointSet points;
     std::optional<std::uint64_t> promised;
     for (bool is_first = true; lines.next(); is_first = false) {
-        std::string_view rest = lines.line();
+        const std::string_view rest = lines.line();
         if (is_first && count_words(rest) == 1 && (promised = count_of(rest))) continue;
-        if (is_first && !number_of(take_word(rest))) continue;  // a heading such as x,y,z
-        add_point(points, point_of(lines.line(), lines), lines);
+        if (is_first && is_heading(rest)) continue;
+        add_point(points, whole_point_of(lines), lines);
     }
     if (promised && *promised != points.positions.size()) {
         lines.refuse("the first line promises " + std::to_string(*promised) + " points, there are " +

@@ -16,7 +16,7 @@ namespace crumple::pipeline {
 // Throws Error(file) when it cannot be read, Error(bad_input) that names the first line that is not x y z.
 [[nodiscard]] PointSet read_points_file(const std::string& path);
 
-// The same from text. A line holds x, y, z and then anything; blank lines, lines that start with # and one heading are
+// The same from text. A line holds x, y, z; blank lines, lines that start with # and one heading are
 // skipped; a first line of one number is the count and must be right. Separators: blanks, tabs, commas, semicolons.
 [[nodiscard]] PointSet parse_points(std::string_view text, std::string_view source);
 [[nodiscard]] PointSet parse_obj_points(std::string_view text, std::string_view source);

@@ -4,10 +4,9 @@
 #include <sys/stat.h>
 
 #include <atomic>
-#include <functional>
-#include <sstream>
 
 #include "importer/import_checks.h"
+#include "importer/obj_text.h"
 #include "importer/temp_folder.h"
 #include "mesh/shapes.h"
 
@@ -18,22 +17,9 @@ using test::contains;
 using test::find;
 using test::has;
 using test::import_shell;
+using test::obj_text;
 using test::refusal_of_file;
 using test::TempFolder;
-
-// `v` and `f` lines; red: the red of a vertex, where the shell is to be painted.
-std::string obj_text(const Shell& shell, const std::function<double(std::size_t)>& red = {}) {
-    std::ostringstream text;
-    text.precision(9);
-    for (std::size_t v = 0; v < shell.positions.size(); ++v) {
-        const Vec3& p = shell.positions[v];
-        text << "v " << p.x << ' ' << p.y << ' ' << p.z;
-        if (red) text << ' ' << red(v) << " 1 1";
-        text << '\n';
-    }
-    for (const Triangle& t : shell.triangles) text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-    return text.str();
-}
 
 Result import_obj(const Shell& shell, const Params& params = {}) {
     const TempFolder folder;
@@ -123,7 +109,7 @@ TEST(Import, NonFinitePositionsAreRefused) {
         const auto refusal =
             refusal_of_file(folder.write("a.obj", std::string("v 0 0 ") + number + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
         EXPECT_EQ(refusal.kind, ErrorKind::bad_input) << number;
-        EXPECT_TRUE(contains(refusal.message, "finite")) << refusal.message;
+        EXPECT_TRUE(contains(refusal.message, "line 1: coordinate")) << refusal.message;
     }
 }
 
@@ -365,6 +351,59 @@ TEST(Import, EveryFieldIsDescribed) {
     EXPECT_EQ(names_of(FileReport{}), 10u);
     EXPECT_EQ(names_of(ComponentReport{}), 9u);
     EXPECT_EQ(names_of(Report{}), 22u);
+}
+
+TEST(Import, ASizeThatNothingHasNamesTheUnitToTry) {
+    const TempFolder folder;
+    const auto finding_at = [&](double scale, double unit) {
+        const std::string path =
+            folder.write("shell.obj", obj_text(shapes::moved(shapes::box({0, 0, 0}, {4, 2, 2}), {0, 0, 0}, scale)));
+        Params params;
+        params.unit = unit;
+        const Result result = import_shell(path, params);
+        const Finding* finding = find(result.report.findings, "IMPORT_SIZE_UNUSUAL");
+        return finding ? finding->message : std::string();
+    };
+    EXPECT_EQ(finding_at(1, 0), "");
+    EXPECT_EQ(finding_at(100, 0.01), "");
+    EXPECT_TRUE(contains(finding_at(100, 0), "489.9 m")) << finding_at(100, 0);
+    EXPECT_TRUE(contains(finding_at(100, 0), "--unit 0.01 makes it 4.899 m"));
+    EXPECT_TRUE(contains(finding_at(1000, 0), "--unit 0.001 makes it 4.899 m"));
+    EXPECT_TRUE(contains(finding_at(1, 0.001), "--unit 1 makes it 4.899 m"));
+}
+
+TEST(Import, WhatIsWrongWithACoordinateIsSaidWithItsLine) {
+    const TempFolder folder;
+    const auto message = [&](const std::string& name, const std::string& text) {
+        const auto refusal = refusal_of_file(folder.write(name, text));
+        EXPECT_EQ(refusal.kind, ErrorKind::bad_input);
+        return refusal.message;
+    };
+    const std::string faces = "v 0 1 0\nv 0 0 1\nf 1 2 3\n";
+    EXPECT_TRUE(contains(message("a.obj", "v 0 0 0\nv nan 0 0\n" + faces), "line 2: coordinate 'nan' is not a number"));
+    EXPECT_TRUE(contains(message("a.obj", "v 0 0 0\nv 1e300 0 0\n" + faces), "line 2: coordinate '1e300' is beyond"));
+    EXPECT_TRUE(contains(message("a.obj", "v 0 0 0\nv 1 0 -inf\n" + faces), "line 2: coordinate '-inf' is not finite"));
+    const std::string off = "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1e39 0\n0 0 1\n3 0 1 2\n";
+    EXPECT_TRUE(contains(message("a.off", off), "line 5: a coordinate is beyond the range of a float"));
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        "1\n"
+        "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n";
+    EXPECT_TRUE(contains(message("a.ply", ply), "coordinate z of vertex 1 is not a number"));
+}
+
+TEST(Import, PointsWithoutFacesAndFacesCutShortAreSaidInPlainWords) {
+    const TempFolder folder;
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    const auto message = [&](const std::string& text) { return refusal_of_file(folder.write("a.obj", text)).message; };
+    EXPECT_TRUE(contains(message(vertices), "no faces, only points")) << message(vertices);
+    EXPECT_TRUE(contains(message(vertices + "p 1 2 3\n"), "no faces"));
+    EXPECT_TRUE(contains(message(vertices + "f 1 3 2\nf 2 3"), "line 6: an `f` line of 2 corners"));
+    EXPECT_TRUE(contains(message(vertices + "f 1 3 2\nf 2 3 5\n"), "line 6: a face refers to vertex 5 of 4"));
+    EXPECT_TRUE(contains(message(vertices + "f 1 3 -5\n"), "line 5: a face refers to vertex -5 of 4"));
+    EXPECT_TRUE(contains(message(vertices + "f 1 3 0\n"), "line 5: a face refers to vertex 0 of 4"));
+    EXPECT_TRUE(contains(message(vertices + "f 1 3 x\n"), "line 5: 'x' is no corner"));
+    EXPECT_TRUE(contains(message("f 1 2 3\n" + vertices.substr(0, 16)), "line 1: a face refers to vertex 3 of 2"));
 }
 
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "importer/import_checks.h"
+#include "importer/temp_folder.h"
 
 namespace crumple::importer {
 namespace {
@@ -270,11 +271,13 @@ TEST(Locks, SecondColourSetIsNamedAndCanBeChosen) {
     EXPECT_TRUE(test::contains(other->message, "--color-set 1")) << other->message;
     Params params;
     params.color_set = 1;
-    EXPECT_EQ(locks_of(import_shell(path, params)), true_locks());
-    params.color_set = 2;
-    const Result third = import_shell(path, params);
-    EXPECT_TRUE(locks_of(third).empty());
-    EXPECT_TRUE(test::contains(find(third.report.findings, "LOCK_NOTHING_PAINTED")->message, "no colour set 2"));
+    const Result second = import_shell(path, params);
+    EXPECT_EQ(locks_of(second), true_locks());
+    EXPECT_FALSE(has(second.report, "COLOR_SET_UNUSED"));
+    params.color_set = 7;
+    const auto third = test::refusal_of_file(path, params);
+    EXPECT_EQ(third.kind, ErrorKind::usage);
+    EXPECT_TRUE(test::contains(third.message, "no colour set 7; the file has set 0, 1")) << third.message;
 }
 
 TEST(Locks, StlLocksNothingAndSaysSo) {
@@ -329,6 +332,20 @@ TEST(Locks, AnotherPaintedShellGivesItsOwnList) {
     }
     EXPECT_EQ(locked, list_in(open + "/spot_shell_painted.locks.json", "locked_indices"));
     EXPECT_EQ(locked.size(), 90u);
+}
+
+TEST(Locks, APaintedVertexThatNoFaceUsesIsReported) {
+    const test::TempFolder folder;
+    const std::string text =
+        "v 0 0 0 1 1 1\nv 1 0 0 0 1 1\nv 0 1 0 1 1 1\nv 0 0 1 1 1 1\nv 5 6 7 0 1 1\nv 8 8 8 1 1 1\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    const Result result = import_shell(folder.write("a.obj", text));
+    EXPECT_EQ(result.report.unused_vertices, 2u);
+    const Finding* unused = find(result.report.findings, "LOCK_UNUSED");
+    ASSERT_NE(unused, nullptr);
+    EXPECT_EQ(unused->count, 1u);
+    EXPECT_EQ(unused->places.front().position, (Vec3{5, 6, 7}));
+    EXPECT_EQ(unused->places.front().element, 4u);
 }
 
 }

@@ -62,7 +62,7 @@ TEST(PrescanObj, RefusesWhatIsNoNumber) {
 }
 
 TEST(PrescanObj, ReadsTheNearestFloat) {
-    const Prescan scan = prescan_obj("v -1.50856 +0.1 1e-6\nf 1 1 1 1\nf 1/1/1 1//1 1\nf 1 1\n", Purpose::shell);
+    const Prescan scan = prescan_obj("v -1.50856 +0.1 1e-6\nf 1 1 1 1\nf 1/1/1 1//1 1\n", Purpose::shell);
     EXPECT_EQ(scan.positions.at(0), (Vec3f{-1.50856f, 0.1f, 1e-6f}));
     EXPECT_EQ(scan.expected_triangles, 3u);
 }

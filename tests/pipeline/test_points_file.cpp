@@ -38,7 +38,7 @@ TEST(PointsFile, EverySeparatorIsTaken) {
     EXPECT_EQ(parse_points("1 2 3\n-4 .5 6e-3\n", "x").positions, two);
     EXPECT_EQ(parse_points("1,2,3\n-4,0.5,0.006", "x").positions, two);
     EXPECT_EQ(parse_points("1;2;3\r\n-4;0.5;0.006\r\n", "x").positions, two);
-    EXPECT_EQ(parse_points("\t1\t2\t3\t9\n  -4 , +0.5 ; 6E-3 red\n", "x").positions, two);
+    EXPECT_EQ(parse_points("\t1\t2\t3\n  -4 , +0.5 ; 6E-3\n", "x").positions, two);
 }
 
 TEST(PointsFile, AHeadingACountAndAByteOrderMarkAreSkipped) {
@@ -64,6 +64,16 @@ TEST(PointsFile, ALineThatIsNoPointIsNamed) {
     EXPECT_NE(refusal("1 2 1e999\n").find("points.xyz:1:"), std::string::npos);
     EXPECT_NE(refusal("5\n1 2 3\n").find("promises 5"), std::string::npos);
     EXPECT_NE(refusal("x y z\nx y z\n").find("points.xyz:2:"), std::string::npos);
+}
+
+TEST(PointsFile, DecimalCommasAndOtherColumnsAreNotGuessedAt) {
+    EXPECT_NE(refusal("1.5 2.5 3.5\n1,5 2,5 3,5\n").find("points.xyz:2: numbers with decimal commas"),
+              std::string::npos);
+    EXPECT_NE(refusal("1,5;2,5;3,5\n").find("points.xyz:1: numbers with decimal commas"), std::string::npos);
+    EXPECT_NE(refusal("1 2 3\n1 2 3 4\n").find("points.xyz:2: 4 columns"), std::string::npos);
+    EXPECT_NE(refusal("1 2 3 red\n").find("points.xyz:1: 4 columns"), std::string::npos);
+    EXPECT_NE(refusal("1,5,2\n4,5,6,7\n").find("points.xyz:2: 4 columns"), std::string::npos);
+    EXPECT_NE(refusal("one 2 3\n").find("'one'"), std::string::npos);
 }
 
 TEST(PointsFile, AnObjGivesItsVertices) {
