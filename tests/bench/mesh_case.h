@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One test shell: cooked to tets as a recipe says, and any tets measured against it, whoever made them.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/bench.h"
+#include "mesh/shell_interior.h"
+#include "mesh/tet_mesh.h"
+#include "pipeline/workspace.h"
+
+namespace crumple::bench {
+
+// quality/ in the folder CRUMPLE_DATA, which is ../shared/data where the variable is not set.
+[[nodiscard]] std::filesystem::path quality_folder();
+
+struct Made {
+    TetMesh mesh;
+    double cpu_s = 0;  // of the stages from the points to the last one that changes tets
+    std::size_t interior_points = 0;
+};
+
+class MeshCase {
+public:
+    // quality_folder()/<name>.obj
+    explicit MeshCase(const std::string& name);
+
+    [[nodiscard]] std::filesystem::path path() const;
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    // With the defaults of every stage but for the settings ("finish.mode=peel"). Nothing, and the reason on stderr,
+    // when a stage refuses.
+    [[nodiscard]] std::optional<Made> cook(const std::vector<std::string>& settings) const;
+
+    // nodes, tets, min_dihedral_deg, p5_dihedral_deg, below_10_deg, dt_ratio, pcg_soft, pcg_stiff, volume_error (signed
+    // share), hausdorff_out and hausdorff_in (shares of the diagonal), cpu_s; nulls for no mesh.
+    [[nodiscard]] std::vector<std::pair<std::string, Row::Value>> figures(const std::optional<Made>& made) const;
+
+private:
+    [[nodiscard]] double solid_volume() const;
+
+    std::string name_;
+    pipeline::Workspace imported_;
+    std::unique_ptr<ShellInterior> interior_;
+    double volume_ = 0;
+};
+
+}
