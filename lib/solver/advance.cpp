@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/outside.h"
+
 namespace crumple::solver {
 namespace {
 
@@ -45,8 +47,7 @@ Trial propose(const Model& model, const State& state, Workspace& w, const StepIn
         set_row(trial.positions, node, x);
         set_row(trial.velocities, node, v);
         const double mass = model.bundle.mass[node];
-        Vec3f push = input.gravity * static_cast<float>(mass);
-        if (!input.forces.empty()) push += input.forces[node];
+        const Vec3f push = outside_force(model, state, input, node);
         trial.kinetic += 0.5 * mass * static_cast<double>(dot(v, v));
         trial.work += static_cast<double>(dot(push, v)) * static_cast<double>(input.dt);
     }
@@ -66,7 +67,25 @@ double elastic_energy_of(const Trial& trial, const Model& model, Workspace& w, c
     return total;
 }
 
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+void add_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
+                  Advanced& result) {
+    const auto add = [&](std::size_t node, Vec3 impulse) {
+        result.impulse += impulse;
+        result.angular_impulse += cross(widen(position(state, node)), impulse);
+    };
+    for (Index node = 0; node < model.node_count; ++node) {
+        if (!input.forces.empty()) add(node, widen(input.forces[node]) * static_cast<double>(input.dt));
+        if (w.constraint[node] == 0 || model.bundle.locked[node]) continue;
+        add(node, widen(constraint_impulse(model, w, input.constraints[w.constraint[node] - 1])));
+    }
+}
+
 void commit(const Model& model, State& state, const Trial& trial) {
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        state.moved[node] += length(row(trial.positions, node) - position(state, node));
+    }
     std::copy_n(trial.positions.begin(), 4 * model.node_count, state.positions.begin());
     std::copy_n(trial.velocities.begin(), 4 * model.node_count, state.velocities.begin());
 }
@@ -74,9 +93,10 @@ void commit(const Model& model, State& state, const Trial& trial) {
 }
 
 Advanced advance(const Model& model, State& state, Workspace& w, const StepInput& input,
-                 const ConstraintCounts& constraints, const ElementJob& elements, double energy, const Kernels& kernels,
-                 const Jobs& jobs) {
+                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
+                 const Kernels& kernels, const Jobs& jobs) {
     StateHeader& header = *state.header;
+    const double energy = ledger.energy;
     const double put_in = header.step_count == 0 ? energy : header.budget + energy - header.energy;
     const double noise = noise_strain_squared * model.stiffness_volume;
     Advanced result;
@@ -84,12 +104,13 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
     double keep = 1;
     for (;;) {
         const Trial trial = propose(model, state, w, input);
-        const double work = trial.work + constraint_work(model, w, constraints.partial, input);
+        const double work = trial.work + ledger.wind_work + constraint_work(model, w, input);
         budget = std::max(put_in + work, 0.0);
         result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
         result.has_overflowed = result.has_overflowed || trial.has_overflowed;
         const bool is_fine = result.energy <= std::max(budget_slack * budget, energy + work) + noise;
         if (is_fine || keep == 0) {
+            add_impulses(model, state, w, input, result);
             if (!input.reactions.empty()) write_reactions(model, w, constraints.partial, input);
             commit(model, state, trial);
             break;

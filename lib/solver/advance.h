@@ -17,16 +17,23 @@ namespace crumple::solver {
 // not be slowed for it.
 inline constexpr double budget_slack = 1.5;
 
+struct Ledger {
+    double energy = 0;     // kinetic and elastic before the step, J
+    double wind_work = 0;  // J
+};
+
 struct Advanced {
     double energy = 0;  // kinetic and elastic, J
+    Vec3 impulse;       // as StepReport has them, without wind
+    Vec3 angular_impulse;
     bool is_cut = false;
     bool has_overflowed = false;
 };
 
-// `elements` is the job of this step; `energy` what the body held before it. Fills the reactions when asked.
+// `elements` is the job of this step. Fills the reactions when asked.
 // REQUIRES: restrain() has run.
 Advanced advance(const Model& model, State& state, Workspace& workspace, const StepInput& input,
-                 const ConstraintCounts& constraints, const ElementJob& elements, double energy, const Kernels& kernels,
-                 const Jobs& jobs);
+                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
+                 const Kernels& kernels, const Jobs& jobs);
 
 }

@@ -130,17 +130,17 @@ void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_cou
     }
 }
 
-double constraint_work(const Model& model, const Workspace& w, std::size_t partial_count, const StepInput& input) {
+Vec3f constraint_impulse(const Model& model, const Workspace& w, const Constraint& c) {
+    const Vec3f impulse = unbalanced(model, w, c.node);
+    return c.kind == ConstraintKind::fixed ? impulse : taken_part(directions_of(c), impulse);
+}
+
+double constraint_work(const Model& model, const Workspace& w, const StepInput& input) {
     double work = 0;
     for (std::size_t i = 0; i < input.constraints.size(); ++i) {
         const Constraint& c = input.constraints[i];
-        const bool counts = c.kind == ConstraintKind::fixed && is_usable(c, model.node_count) &&
-                            w.constraint[c.node] == i + 1 && dot(c.velocity, c.velocity) > 0;
-        if (counts) work += static_cast<double>(dot(unbalanced(model, w, c.node), c.velocity));
-    }
-    for (const Partial& partial : w.partials.first(partial_count)) {
-        const Vec3f v = input.constraints[w.constraint[partial.node] - 1].velocity;
-        if (dot(v, v) > 0) work += static_cast<double>(dot(taken_part(partial, unbalanced(model, w, partial.node)), v));
+        if (c.node >= model.node_count || w.constraint[c.node] != i + 1 || c.velocity == Vec3f{}) continue;
+        work += static_cast<double>(dot(constraint_impulse(model, w, c), c.velocity));
     }
     return work;
 }

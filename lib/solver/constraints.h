@@ -29,9 +29,11 @@ void list_partials(const Model& model, Workspace& workspace, const StepInput& in
 // Preconditioners of constrained nodes: 0 where fixed, the inverse on the free directions where partly free.
 void constrain_inverse(const Model& model, Workspace& workspace, std::size_t partial_count);
 
+// N s with which a constraint that counts pushes its node.
+[[nodiscard]] Vec3f constraint_impulse(const Model& model, const Workspace& workspace, const Constraint& constraint);
+
 // What moving constraints do to the body on the way of this step, J.
-[[nodiscard]] double constraint_work(const Model& model, const Workspace& workspace, std::size_t partial_count,
-                                     const StepInput& input);
+[[nodiscard]] double constraint_work(const Model& model, const Workspace& workspace, const StepInput& input);
 
 // A dv - b of the constrained directions over dt.
 void write_reactions(const Model& model, const Workspace& workspace, std::size_t partial_count, const StepInput& input);

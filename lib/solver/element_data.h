@@ -21,7 +21,8 @@ struct alignas(64) TetPacket {
     float yield_strain[packet_size];  // sqrt(2/3) yield / (2 mu): norm of the deviatoric strain at yield
     Index node[4][packet_size];
     std::uint16_t material[packet_size];
-    std::uint32_t padding[packet_size / 2];
+    std::uint8_t boundary[packet_size];  // bit c: the face opposite to corner c is outside and not all locked
+    std::uint8_t padding[packet_size];
 };
 static_assert(sizeof(TetPacket) % 64 == 0);
 

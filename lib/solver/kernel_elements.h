@@ -325,7 +325,7 @@ inline ElementCounts step_elements(const ElementJob& job, std::size_t begin, std
     return counts;
 }
 
-// The elastic energy a step from the job's positions would start with.
+// The elastic energy a step from the job's positions would start with. Leaves the rotations there.
 inline double elastic_energies(const ElementJob& job, std::size_t begin, std::size_t end) {
     Lanes energy = Lanes::all(0);
     for (std::size_t p = begin; p < end; ++p) {
@@ -339,7 +339,9 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
             const Lanes det = determinant(f);
             const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
             update_collapse(job, packet, state, lane, bits(is_bad));
-            to_matrix(rotation_of(job, packet, state, lane, d, g, f, det, is_bad), r);
+            const Rotor q = rotation_of(job, packet, state, lane, d, g, f, det, is_bad);
+            store_rotor(q, job.states[p].rotation, lane);
+            to_matrix(q, r);
             energy = energy + strain_energy(packet, lane, elastic_strain(r, f, state, lane));
         }
     }

@@ -2,6 +2,7 @@
 // The loops of a step, one table per instruction set. Every loop runs over part of its range, writes only to its own
 // part and so gives the same bits however the range is divided among threads. Vectors of nodes hold four floats a node.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -77,12 +78,27 @@ struct SolveJob {
     float* product;    // q = A p
 };
 
+// Drawn vertices. Over the vertices of a visual mesh. Null where there are no normals or tangents.
+struct SkinJob {
+    const Tet* tets;
+    const Index* tet;
+    const std::array<float, 4>* barycentric;
+    const float* positions;  // of the nodes, 4 each
+    const TetState* states;
+    std::size_t tet_count;  // simulated; the others never turn
+    const Vec3f* normals;
+    const std::array<float, 4>* tangents;
+    Vec3f* drawn_positions;
+    Vec3f* drawn_normals;
+    std::array<float, 4>* drawn_tangents;
+};
+
 // Offset of column 0 of a node's inverse diagonal block; column c is 16 c floats further.
 constexpr std::size_t inverse_at(std::size_t node) { return node / 4 * 48 + node % 4 * 4; }
 
 struct Kernels {
     ElementCounts (*elements)(const ElementJob&, std::size_t begin, std::size_t end);
-    double (*energies)(const ElementJob&, std::size_t begin, std::size_t end);  // elastic; changes nothing
+    double (*energies)(const ElementJob&, std::size_t begin, std::size_t end);  // elastic; turns the tets
     void (*rotations)(RotationPacket*, std::size_t begin, std::size_t end);
     void (*loads)(const LoadJob&, std::size_t begin, std::size_t end);
     void (*edges)(const EdgeJob&, std::size_t begin, std::size_t end);
@@ -92,6 +108,7 @@ struct Kernels {
     double (*start)(const SolveJob&, std::size_t begin, std::size_t end);             // z = P r, p = z: r . z
     double (*descend)(const SolveJob&, float a, std::size_t begin, std::size_t end);  // dv += a p ...: r . z
     void (*turn)(const SolveJob&, float b, std::size_t begin, std::size_t end);       // p = z + b p
+    void (*skin)(const SkinJob&, std::size_t begin, std::size_t end);
 };
 
 // What the processor can run, at most `wanted`.

@@ -11,6 +11,7 @@
 
 #include "solver/kernel_elements.h"
 #include "solver/kernel_nodes.h"
+#include "solver/kernel_skin.h"
 
 namespace crumple::solver {
 
@@ -24,6 +25,7 @@ const Kernels avx512_kernels = {avx512::step_elements,
                                 avx512::product_dot,
                                 avx512::start,
                                 avx512::descend,
-                                avx512::turn};
+                                avx512::turn,
+                                avx512::skin_vertices};
 
 }

@@ -11,6 +11,7 @@
 
 #include "solver/kernel_elements.h"
 #include "solver/kernel_nodes.h"
+#include "solver/kernel_skin.h"
 
 namespace crumple::solver {
 
@@ -24,6 +25,7 @@ const Kernels scalar_kernels = {scalar::step_elements,
                                 scalar::product_dot,
                                 scalar::start,
                                 scalar::descend,
-                                scalar::turn};
+                                scalar::turn,
+                                scalar::skin_vertices};
 
 }

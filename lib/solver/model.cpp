@@ -78,6 +78,31 @@ void fill_node_corners(const BundleView& view, std::span<Index> start, std::span
     start[0] = 0;
 }
 
+// Whether some other tet around node `a` has all of a, b, c.
+bool is_shared(const BundleView& view, const Derived& d, std::size_t tet, Index a, Index b, Index c) {
+    for (Index k = d.node_start[a]; k < d.node_start[a + 1]; ++k) {
+        const std::size_t other = d.node_corner[k] / 4;
+        const Tet& nodes = view.tets[other];
+        const auto has = [&](Index node) { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); };
+        if (other != tet && has(b) && has(c)) return true;
+    }
+    return false;
+}
+
+void mark_boundary(const BundleView& view, const Derived& d) {
+    for (std::size_t t = 0; t < view.tets.size(); ++t) {
+        unsigned bits = 0;
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const Index face[3] = {view.tets[t][(corner + 1) % 4], view.tets[t][(corner + 2) % 4],
+                                   view.tets[t][(corner + 3) % 4]};
+            // Behind locked faces may be tets that are not simulated.
+            if (std::all_of(face, face + 3, [&](Index node) { return view.locked[node]; })) continue;
+            if (!is_shared(view, d, t, face[0], face[1], face[2])) bits |= 1u << corner;
+        }
+        d.packets[t / packet_size].boundary[t % packet_size] = static_cast<std::uint8_t>(bits);
+    }
+}
+
 // Each node's mass comes in quarters from its tets; alpha is averaged in the same shares. Tets that are not simulated
 // have no say: their nodes are locked.
 void fill_alpha_mass(const BundleView& view, const Derived& d) {
@@ -135,6 +160,7 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
         d.incidence[k] = 16 * view.edge_tet[k] + 4u * view.edge_corners[k][0] + view.edge_corners[k][1];
     }
     fill_node_corners(view, d.node_start, d.node_corner);
+    mark_boundary(view, d);
     fill_alpha_mass(view, d);
     std::transform(view.materials.begin(), view.materials.end(), d.materials.begin(), [](const Material& m) {
         return ModelMaterial{static_cast<float>(m.creep_per_s), static_cast<float>(m.hardening_pa),

@@ -18,6 +18,8 @@ State take_state(const Model& model, Plasticity plasticity, Arena& arena) {
     state.header = arena.take<StateHeader>(1).data();
     state.positions = arena.take<float>(4 * padded_nodes(model));
     state.velocities = arena.take<float>(4 * padded_nodes(model));
+    state.moved = arena.take<float>(model.node_count);
+    state.is_pulled = arena.take<std::uint8_t>(model.node_count);
     state.tets = arena.take<TetState>(model.packets.size());
     if (plasticity == Plasticity::multiplicative) state.shapes = arena.take<TetShape>(model.packets.size());
     return state;

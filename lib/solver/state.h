@@ -14,17 +14,23 @@ namespace crumple::solver {
 struct StateHeader {
     std::uint64_t step_count = 0;
     float last_dt = 0;
-    float padding = 0;
-    double energy = 0;  // kinetic and elastic, J, at the end of the last step
-    double budget = 0;  // what was put in and is not known to be gone, J
+    float quiet_s = 0;   // how long it has hardly moved
+    double energy = 0;   // kinetic and elastic, J, at the end of the last step
+    double budget = 0;   // what was put in and is not known to be gone, J
+    Vec3f sleep_centre;  // ball around the sleeping body
+    float sleep_radius = 0;
+    Vec3f sleep_pull;  // gravity and inertia it fell asleep under, m/s^2
+    std::uint32_t is_asleep = 0;
 };
 
 struct State {
     StateHeader* header = nullptr;
-    std::span<float> positions;   // N x 4, metres; the fourth is 0. Room for a multiple of four nodes
-    std::span<float> velocities;  // N x 4, m/s
-    std::span<TetState> tets;     // packets
-    std::span<TetShape> shapes;   // packets, empty unless the plasticity is multiplicative
+    std::span<float> positions;         // N x 4, metres; the fourth is 0. Room for a multiple of four nodes
+    std::span<float> velocities;        // N x 4, m/s
+    std::span<float> moved;             // N, metres travelled since the drawn vertices were last taken (see skin.h)
+    std::span<std::uint8_t> is_pulled;  // N: see contact.h
+    std::span<TetState> tets;           // packets
+    std::span<TetShape> shapes;         // packets, empty unless the plasticity is multiplicative
 };
 
 [[nodiscard]] std::size_t state_bytes(const Model& model, Plasticity plasticity);

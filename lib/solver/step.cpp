@@ -6,6 +6,7 @@
 
 #include "solver/advance.h"
 #include "solver/measure.h"
+#include "solver/outside.h"
 #include "solver/solve.h"
 
 namespace crumple::solver {
@@ -13,9 +14,12 @@ namespace {
 
 bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+bool is_usable(const Wind& wind) { return is_finite(wind.velocity) && wind.density_kg_m3 >= 0 && wind.drag >= 0; }
+
 bool is_usable(const Model& model, const State& state, const StepInput& input, const Settings& settings) {
     const auto is_full_or_empty = [&](std::size_t size) { return size == 0 || size == model.node_count; };
-    return input.dt > 0 && std::isfinite(input.dt) && is_finite(input.gravity) &&
+    return input.dt > 0 && std::isfinite(input.dt) && is_finite(input.gravity) && is_finite(input.frame_turn) &&
+           is_finite(input.frame_turn_rate) && (input.wind == nullptr || is_usable(*input.wind)) &&
            is_full_or_empty(input.forces.size()) && is_full_or_empty(input.reactions.size()) &&
            state.shapes.empty() == (settings.plasticity != Plasticity::multiplicative);
 }
@@ -29,9 +33,8 @@ void start_velocities(const Model& model, State& state, Workspace& w, const Step
         const Vec3f before = velocity(state, node);
         const Vec3f v = constrained_velocity(w, input, node, before);
         set_velocity(state, node, v);
-        Vec3f push = input.gravity * mass;
-        if (!input.forces.empty()) push += input.forces[node];
-        const Vec3f outside = (push - v * model.alpha_mass[node]) * dt + (before - v) * mass;
+        const Vec3f outside =
+            (outside_force(model, state, input, node) - v * model.alpha_mass[node]) * dt + (before - v) * mass;
         for (int i = 0; i < 3; ++i) w.outside[4 * node + static_cast<std::size_t>(i)] = outside[i];
         w.damped_mass[node] = mass + dt * model.alpha_mass[node];
     }
@@ -111,6 +114,7 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const ConstraintCounts constraints = gather_constraints(model, workspace, input);
     const double kinetic = kinetic_energy(model, state);
     start_velocities(model, state, workspace, input);
+    const WindPush wind = input.wind ? add_wind(model, state, workspace, *input.wind, input.dt) : WindPush{};
     const ElementJob elements = element_job(model, state, workspace, input, settings);
     const ElementCounts counts = run_elements(elements, model, workspace, wide, jobs);
     gather_loads(model, workspace, wide, jobs);
@@ -119,12 +123,15 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     constrain_inverse(model, workspace, constraints.partial);
     const Solved solved = solve(model, workspace, constraints.partial, settings, wide, jobs);
     restrain(model, state, workspace, constraints, solved, wide, jobs);
-    const Advanced end =
-        advance(model, state, workspace, input, constraints, elements, kinetic + counts.energy, wide, jobs);
+    const Ledger ledger{kinetic + counts.energy, wind.work};
+    const Advanced end = advance(model, state, workspace, input, constraints, elements, ledger, wide, jobs);
 
     state.header->last_dt = input.dt;
     ++state.header->step_count;
-    report = {solved.iterations, solved.residual, counts.degenerate, counts.yielding, 0, end.energy};
+    report = {solved.iterations, solved.residual, counts.degenerate,  counts.yielding, 0,
+              end.energy,        end.impulse,     end.angular_impulse};
+    report.impulse += wind.impulse;
+    report.angular_impulse += wind.angular_impulse;
     if (end.is_cut) report.warnings |= step_restrained;
     if (is_too_stiff || solved.is_too_stiff) report.warnings |= step_too_stiff;
     if (end.has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;

@@ -50,6 +50,13 @@ enum class ConstraintKind : std::uint8_t {
     rail,   // and along `second` too
 };
 
+// Air over the boundary, in the frame of the positions.
+struct Wind {
+    Vec3f velocity;
+    float density_kg_m3 = 1.2f;
+    float drag = 1;
+};
+
 // For one step. A locked node is fixed at velocity 0 unless a constraint says otherwise; of several for one node the
 // last one counts. `normal` and `second` need not be unit or orthogonal, only independent.
 struct Constraint {
@@ -63,7 +70,10 @@ struct Constraint {
 struct StepInput {
     float dt = 1.0f / 60;
     Vec3f gravity{0, 0, 0};
+    Vec3f frame_turn;               // rad/s: the positions are in a frame that turns like this
+    Vec3f frame_turn_rate;          // rad/s^2
     std::span<const Vec3f> forces;  // N or empty, newtons
+    const Wind* wind = nullptr;
     std::span<const Constraint> constraints;
     std::span<Vec3f> reactions;  // N or empty: newtons each node's constraint pushes with, 0 where free
 };
@@ -84,6 +94,10 @@ struct StepReport {
     std::uint32_t yielding = 0;    // tets that flowed plastically
     std::uint32_t warnings = 0;
     double energy = 0;  // kinetic and elastic at the end, J
+    // What forces, wind and the constraints of nodes that are not locked gave, about the origin of the frame. Gravity
+    // and inertia are not in it.
+    Vec3 impulse;          // N s
+    Vec3 angular_impulse;  // N m s
 };
 
 StepReport step(const Model& model, State& state, Workspace& workspace, const StepInput& input,

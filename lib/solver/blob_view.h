@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The arrays of a blob as a step takes them, where they lie.
+#pragma once
+#include "bundle/blob.h"
+#include "solver/model.h"
+
+namespace crumple::solver {
+
+// Fills `materials`, the only thing that is not used as it lies. REQUIRES: an opened blob, room for all its materials;
+// both outlive the view. What the view says is not proved: ask first_problem before build_model. Takes no memory.
+[[nodiscard]] BundleView view_of(const Blob& blob, std::span<Material> materials) noexcept;
+
+}

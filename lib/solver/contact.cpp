@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/constraints.h"
+
+namespace crumple::solver {
+namespace {
+
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+SurfacePoint from_centre(Vec3 away, double radius, Vec3 fallback) {
+    const double size = length(away);
+    return size > 0 ? SurfacePoint{size - radius, away / size} : SurfacePoint{-radius, fallback};
+}
+
+SurfacePoint capsule_surface(const Obstacle& o, Vec3 point) {
+    const Vec3 from = point - o.position;
+    const double squared = dot(o.axis, o.axis);
+    const double along = squared > 0 ? std::clamp(dot(from, o.axis) / squared, -1.0, 1.0) : 0;
+    const Vec3 aside = std::abs(o.axis.x) < std::abs(o.axis.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    return from_centre(from - o.axis * along, o.radius, aside);
+}
+
+SurfacePoint box_surface(const Obstacle& o, Vec3 point) {
+    CarrierMotion pose;
+    pose.position = o.position;
+    pose.orientation = o.orientation;
+    const Frame frame(pose);
+    const Vec3 p = widen(frame.point(point));
+    Vec3 clamped;
+    double depth = 1e300;
+    int nearest = 0;
+    for (int i = 0; i < 3; ++i) {
+        clamped[i] = std::clamp(p[i], -o.axis[i], o.axis[i]);
+        const double to_side = o.axis[i] - std::abs(p[i]);
+        if (to_side < depth) {
+            depth = to_side;
+            nearest = i;
+        }
+    }
+    Vec3 side;
+    side[nearest] = p[nearest] < 0 ? -1 : 1;
+    const SurfacePoint inside{-depth - o.radius, side};
+    const SurfacePoint local = depth > 0 ? inside : from_centre(p - clamped, o.radius, side);
+    return {local.distance, frame.to_world(local.normal)};
+}
+
+// The velocity along the normal that the node leaves with, relative to the surface; false when it does not touch.
+// `gains` is what the approach will gain in this step.
+bool leaving_speed(double distance, float approach, float gains, float restitution, float dt, float& leaves) {
+    const auto gap = static_cast<float>(distance);
+    const float allowed = gap >= 0 ? -gap / dt : std::min(-gap * push_out_part / dt, push_out_speed);
+    if (approach + gains >= allowed) return false;
+    const bool rebounds = -approach > rebound_from && restitution > 0;
+    leaves = rebounds ? std::max(-restitution * approach, allowed) : allowed;
+    return true;
+}
+
+// Weights of a point over the corners of a tet, moved inside.
+std::array<float, 4> weights_in(const Model& model, const State& state, std::size_t tet, Vec3f point) {
+    const Tet& t = model.bundle.tets[tet];
+    const Vec3f x0 = position(state, t[0]);
+    const Mat3 edges =
+        Mat3::from_columns(position(state, t[1]) - x0, position(state, t[2]) - x0, position(state, t[3]) - x0);
+    const float det = determinant(edges);
+    std::array<float, 4> weights{0.25f, 0.25f, 0.25f, 0.25f};
+    if (!(det > 0)) return weights;
+    const Vec3f w = (transpose(cofactor(edges)) * (point - x0)) / det;
+    weights = {1 - w.x - w.y - w.z, w.x, w.y, w.z};
+    float sum = 0;
+    for (float& weight : weights) {
+        weight = std::max(weight, 0.0f);
+        sum += weight;
+    }
+    for (float& weight : weights) weight /= sum;
+    return weights;
+}
+
+Index nearest_node(const Model& model, const State& state, Vec3f point) {
+    Index nearest = 0;
+    float least = 3e38f;
+    for (Index node = 0; node < model.node_count; ++node) {
+        const Vec3f d = position(state, node) - point;
+        if (dot(d, d) < least && model.node_start[node] < model.node_start[node + 1]) {
+            least = dot(d, d);
+            nearest = node;
+        }
+    }
+    return nearest;
+}
+
+}
+
+SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
+    if (o.shape == ObstacleShape::capsule) return capsule_surface(o, point);
+    if (o.shape == ObstacleShape::box) return box_surface(o, point);
+    const double size = length(o.axis);
+    const Vec3 normal = size > 0 ? o.axis / size : Vec3{0, 1, 0};
+    return {dot(point - o.position, normal) - o.radius, normal};
+}
+
+ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
+                            std::span<const Obstacle> obstacles, Vec3f pull, float dt,
+                            std::span<const std::uint8_t> is_taken, std::span<Constraint> room) {
+    ContactCounts counts;
+    for (Index node = 0; node < model.node_count && !obstacles.empty(); ++node) {
+        if (model.bundle.locked[node] || (!is_taken.empty() && is_taken[node])) continue;
+        const Vec3 place = frame.point_to_world(position(state, node));
+        double deepest = 1e300;
+        Constraint contact;
+        for (const Obstacle& o : obstacles) {
+            const SurfacePoint surface = nearest_surface(o, place);
+            const Vec3f normal = frame.vector(surface.normal);
+            const Vec3f v = frame.velocity(place, o.velocity + cross(o.angular_velocity, place - o.position));
+            float leaves = 0;
+            const float gains = state.is_pulled[node] ? 0 : std::min(0.0f, dot(pull, normal) * dt);
+            const float approach = dot(velocity(state, node) - v, normal);
+            if (surface.distance >= deepest ||
+                !leaving_speed(surface.distance, approach, gains, o.restitution, dt, leaves)) {
+                continue;
+            }
+            deepest = surface.distance;
+            contact = {node, ConstraintKind::plane, v + normal * leaves, normal, {}};
+        }
+        if (contact.node == none) continue;
+        if (counts.found < room.size()) room[counts.written++] = contact;
+        ++counts.found;
+    }
+    return counts;
+}
+
+void note_pulled(const Model& model, State& state, const Workspace& w, std::span<const Constraint> contacts) {
+    std::fill(state.is_pulled.begin(), state.is_pulled.end(), std::uint8_t{0});
+    for (const Constraint& c : contacts) {
+        state.is_pulled[c.node] = dot(constraint_impulse(model, w, c), c.normal) < 0;
+    }
+}
+
+void strike(const Model& model, State& state, Vec3f point, Vec3f momentum) {
+    const Index node = nearest_node(model, state, point);
+    std::array<float, 4> best{};
+    std::size_t best_tet = model.tet_count;
+    float least = 3e38f;
+    for (Index k = model.node_start[node]; k < model.node_start[node + 1]; ++k) {
+        const std::size_t tet = model.node_corner[k] / 4;
+        const auto weights = weights_in(model, state, tet, point);
+        Vec3f place;
+        for (std::size_t i = 0; i < 4; ++i) place += position(state, model.bundle.tets[tet][i]) * weights[i];
+        if (length(place - point) < least) {
+            least = length(place - point);
+            best = weights;
+            best_tet = tet;
+        }
+    }
+    if (best_tet == model.tet_count) return;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Index corner = model.bundle.tets[best_tet][i];
+        if (model.bundle.locked[corner]) continue;
+        set_velocity(state, corner, velocity(state, corner) + momentum * (best[i] / model.bundle.mass[corner]));
+    }
+}
+
+}

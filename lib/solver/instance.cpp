@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "solver/instance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/measure.h"
+
+namespace crumple::solver {
+namespace {
+
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+struct Momentum {
+    Vec3 linear;
+    Vec3 angular;
+};
+
+Momentum momentum_of(const Model& model, const State& state) {
+    return {linear_momentum(model, state), angular_momentum(model, state)};
+}
+
+Vec3f pull_on(const InstanceInput& input, const Frame& frame) {
+    return frame.vector(input.gravity - (input.has_inertia ? input.carrier.acceleration : Vec3{}));
+}
+
+// Whether an obstacle that moves may reach the ball around the sleeping body in this step.
+bool is_reached(const StateHeader& header, const InstanceInput& input, const Frame& frame) {
+    return std::any_of(input.obstacles.begin(), input.obstacles.end(), [&](const Obstacle& o) {
+        const Vec3 centre = frame.point_to_world(header.sleep_centre);
+        const Vec3f v = frame.velocity(centre, o.velocity + cross(o.angular_velocity, centre - o.position));
+        const float speed = length(v);
+        return speed > input.sleep.wake_speed &&
+               nearest_surface(o, centre).distance < static_cast<double>(header.sleep_radius + speed * input.dt);
+    });
+}
+
+bool stays_asleep(const State& state, const InstanceInput& input, const Frame& frame) {
+    const StateHeader& header = *state.header;
+    return header.is_asleep != 0 && input.may_sleep && input.hits.empty() &&
+           length(pull_on(input, frame) - header.sleep_pull) <= input.sleep.wake_pull &&
+           !is_reached(header, input, frame);
+}
+
+void fall_asleep(const Model& model, State& state, Vec3f pull) {
+    StateHeader& header = *state.header;
+    Vec3f low = position(state, 0);
+    Vec3f high = low;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        for (int i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], position(state, node)[i]);
+            high[i] = std::max(high[i], position(state, node)[i]);
+        }
+    }
+    header.sleep_centre = (low + high) * 0.5f;
+    header.sleep_radius = length(high - low) * 0.5f;
+    header.sleep_pull = pull;
+    header.is_asleep = 1;
+    header.energy -= kinetic_energy(model, state);
+    std::fill(state.velocities.begin(), state.velocities.end(), 0.0f);
+}
+
+void watch_sleep(const Model& model, State& state, const InstanceInput& input, const StepReport& step, Vec3f pull) {
+    float fastest = 0;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        const Vec3f v = velocity(state, node);
+        fastest = std::max(fastest, dot(v, v));
+    }
+    const bool is_quiet = fastest < input.sleep.speed * input.sleep.speed && step.warnings == 0;
+    state.header->quiet_s = is_quiet ? state.header->quiet_s + input.dt : 0;
+    if (input.may_sleep && state.header->quiet_s >= input.sleep.after_s) fall_asleep(model, state, pull);
+}
+
+// The caller's constraints and the contacts, one after the other in `room`.
+std::size_t fill_room(const Model& model, const State& state, Workspace& w, const InstanceInput& input,
+                      const Frame& frame, InstanceReport& report) {
+    // is_fixed is free until the step fills it.
+    const std::span<std::uint8_t> is_taken = w.is_fixed.first(model.node_count);
+    std::fill(is_taken.begin(), is_taken.end(), std::uint8_t{0});
+    const std::size_t given = std::min(input.room.size(), input.constraints.size());
+    std::copy_n(input.constraints.begin(), given, input.room.begin());
+    for (const Constraint& c : input.constraints) {
+        if (c.node < model.node_count) is_taken[c.node] = 1;
+    }
+    const ContactCounts counts = find_contacts(model, state, frame, input.obstacles, pull_on(input, frame), input.dt,
+                                               is_taken, input.room.subspan(given));
+    report.contacts = counts.written;
+    report.is_room_too_small = counts.written < counts.found || given < input.constraints.size();
+    return given + counts.written;
+}
+
+// v turned by a rotation vector.
+Vec3 turned(Vec3 v, Vec3 turn) {
+    const double angle = length(turn);
+    if (!(angle > 0)) return v;
+    const Vec3 n = turn / angle;
+    return v * std::cos(angle) + cross(n, v) * std::sin(angle) + n * (dot(n, v) * (1 - std::cos(angle)));
+}
+
+CarrierLoad load_of(const Frame& frame, const InstanceInput& input, const Momentum& before, const Momentum& after,
+                    const Momentum& given) {
+    // Seen from the world the momentum relative to the frame also turns with the frame.
+    const double dt = static_cast<double>(input.dt);
+    const Vec3 turn = widen(frame.vector(input.carrier.angular_velocity)) * dt;
+    const Vec3 force = (given.linear - (turned(after.linear, turn) - before.linear)) / dt;
+    const Vec3 torque = (given.angular - (turned(after.angular, turn) - before.angular)) / dt;
+    return {frame.to_world(force), frame.to_world(torque)};
+}
+
+}
+
+void wake(State& state) noexcept {
+    state.header->is_asleep = 0;
+    state.header->quiet_s = 0;
+}
+
+InstanceReport step_instance(const Model& model, State& state, Workspace& w, const InstanceInput& input,
+                             const Settings& settings, const Jobs& jobs) noexcept {
+    InstanceReport report;
+    const Frame frame(input.carrier);
+    report.is_asleep = stays_asleep(state, input, frame);
+    if (report.is_asleep) return report;
+    if (is_asleep(state)) wake(state);
+
+    const Momentum before = momentum_of(model, state);
+    Momentum given;
+    for (const Hit& hit : input.hits) {
+        const Vec3f point = frame.point(hit.position);
+        const Vec3f momentum = frame.vector(hit.momentum);
+        strike(model, state, point, momentum);
+        given.linear += widen(momentum);
+        given.angular += cross(widen(point), widen(momentum));
+    }
+    StepInput step_input;
+    step_input.dt = input.dt;
+    step_input.gravity = pull_on(input, frame);
+    if (input.has_inertia) {
+        step_input.frame_turn = frame.vector(input.carrier.angular_velocity);
+        step_input.frame_turn_rate = frame.vector(input.carrier.angular_acceleration);
+    }
+    Wind wind;
+    if (input.wind) {
+        wind = *input.wind;
+        wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));
+        step_input.wind = &wind;
+    }
+    step_input.forces = input.forces;
+    step_input.constraints = input.room.first(fill_room(model, state, w, input, frame, report));
+    report.step = step(model, state, w, step_input, settings, jobs);
+    note_pulled(model, state, w, step_input.constraints.last(report.contacts));
+    given.linear += report.step.impulse;
+    given.angular += report.step.angular_impulse;
+    report.load = load_of(frame, input, before, momentum_of(model, state), given);
+    watch_sleep(model, state, input, report.step, step_input.gravity);
+    return report;
+}
+
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// One deforming thing in a game: a step with its carrier, obstacles, hits and handles, asleep while nothing happens.
+#pragma once
+#include "solver/contact.h"
+#include "solver/spline.h"
+
+namespace crumple::solver {
+
+struct SleepSettings {
+    float speed = 0.02f;      // m/s: slower than this everywhere...
+    float after_s = 0.5f;     // ...for so long is asleep
+    float wake_speed = 0.1f;  // m/s of an obstacle that reaches the body
+    float wake_pull = 2;      // m/s^2: change of gravity and inertia
+};
+
+// Obstacles, hits, gravity and wind in the world, all else in the carrier's frame.
+struct InstanceInput {
+    float dt = 1.0f / 60;
+    CarrierMotion carrier;
+    // The carrier's acceleration and turning throw the nodes about. Where the acceleration is the answer to this body's
+    // own load, one step late, that is stable while the free nodes have less than half the carrier's mass and inertia.
+    bool has_inertia = false;
+    Vec3 gravity{0, -9.81, 0};
+    std::span<const Obstacle> obstacles;
+    std::span<const Hit> hits;
+    const Wind* wind = nullptr;
+    std::span<const Vec3f> forces;            // N or empty
+    std::span<const Constraint> constraints;  // beside locks; a node named here feels no obstacle
+    std::span<Constraint> room;               // for `constraints` and the contacts: as many as may happen at once
+    SleepSettings sleep;
+    bool may_sleep = true;
+};
+
+struct InstanceReport {
+    StepReport step;
+    CarrierLoad load;
+    std::size_t contacts = 0;
+    bool is_room_too_small = false;  // some contacts were left out
+    bool is_asleep = false;          // nothing was done
+};
+
+// Forces and constraints of the caller wake by wake() only: whoever gives them knows when.
+InstanceReport step_instance(const Model& model, State& state, Workspace& workspace, const InstanceInput& input,
+                             const Settings& settings = {}, const Jobs& jobs = {}) noexcept;
+
+void wake(State& state) noexcept;
+[[nodiscard]] inline bool is_asleep(const State& state) { return state.header->is_asleep != 0; }
+
+}

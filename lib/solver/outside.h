@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What pushes the nodes besides the tets: gravity, the caller's forces, the inertia of a turning frame, wind.
+#pragma once
+#include "solver/step.h"
+
+namespace crumple::solver {
+
+// Newtons on a node, without wind. A frame that turns at w, faster by w' a second, adds -m (w' x r + w x (w x r) +
+// 2 w x v); gravity already holds what its acceleration adds.
+[[nodiscard]] Vec3f outside_force(const Model& model, const State& state, const StepInput& input, std::size_t node);
+
+struct WindPush {
+    double work = 0;       // J during this step, at most
+    Vec3 impulse;          // N s
+    Vec3 angular_impulse;  // N m s about the origin
+};
+
+// Adds dt times the wind's force on the boundary to Workspace::outside:
+//
+//     f = rho/2 C A |w.n| (w.n) n   of every boundary face that meets the wind, w the air's velocity seen from the
+//     face,
+//
+// a third to each corner. The force is explicit, so it is held to what would stop the face in this step.
+WindPush add_wind(const Model& model, const State& state, Workspace& workspace, const Wind& wind, float dt);
+
+}

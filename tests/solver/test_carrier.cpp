@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Bodies that ride on a rigid body which they push in turn.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/body.h"
+#include "solver/instance.h"
+
+namespace crumple::solver::test {
+namespace {
+
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+Material dented() {
+    Material m = elastic_material(2e6);
+    m.yield_pa = 5e4;
+    m.creep_per_s = 60;
+    m.alpha_per_s = 0.15;
+    m.beta_s = 0.004;
+    return m;
+}
+
+// A bumper in front of (x < 0) a locked block, around the origin.
+Bundle bumper(const Material& material, float locked_from = 0.2f) {
+    Bundle b = grid_body({6, 3, 3}, {0.3f, 0.3f, 0.3f}, material);
+    for (Vec3f& p : b.rest_positions) p -= Vec3f{0.9f, 0.45f, 0.45f};
+    return bundle_of(b.rest_positions, b.tets, material, [=](Vec3f p) { return p.x > locked_from; });
+}
+
+// A body on the simplest rigid body: that of its own mass, turning only where `turns`.
+struct Rider {
+    explicit Rider(Bundle bundle, bool may_turn = false) : body(std::move(bundle)), turns(may_turn) {
+        for (std::size_t i = 0; i < body.node_count(); ++i) {
+            const double m = body.bundle.mass[i];
+            const Vec3 r = widen(body.rest(i));
+            mass += m;
+            inertia = inertia + (Mat3d::identity() * dot(r, r) - outer(r, r)) * m;
+        }
+        room.resize(body.node_count());
+    }
+
+    InstanceReport step(InstanceInput input) {
+        input.carrier = motion;
+        input.room = room;
+        const InstanceReport report = step_instance(body.model, body.state, body.workspace, input, body.settings);
+        const double dt = static_cast<double>(input.dt);
+        motion.position += motion.velocity * dt;
+        motion.acceleration = report.load.force / mass;
+        motion.velocity += motion.acceleration * dt;
+        if (turns) turn(report.load.torque, dt);
+        return report;
+    }
+    // Turns by the velocity the step was made with, then takes the torque: angular momentum is kept in the world.
+    void turn(Vec3 torque, double dt) {
+        const Vec3 spinning = world(inertia) * motion.angular_velocity;
+        const double angle = length(motion.angular_velocity) * dt;
+        if (angle > 0) {
+            const Vec3 n = motion.angular_velocity * (std::sin(angle / 2) / (angle / dt));
+            const Quaternion by{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z),
+                                static_cast<float>(std::cos(angle / 2))};
+            motion.orientation = to_quaternion(to_matrix(by) * to_matrix(motion.orientation));
+        }
+        const Mat3d now = world(inertia);
+        const Vec3 before = motion.angular_velocity;
+        motion.angular_velocity = transpose(cofactor(now)) * (spinning + torque * dt) / determinant(now);
+        motion.angular_acceleration = (motion.angular_velocity - before) / dt;
+    }
+    [[nodiscard]] Mat3d world(const Mat3d& a) const {
+        const Mat3 r = to_matrix(motion.orientation);
+        Mat3d wide;
+        for (std::size_t i = 0; i < 9; ++i) wide.m[i] = r.m[i];
+        return wide * a * transpose(wide);
+    }
+    [[nodiscard]] Vec3 momentum() const {
+        return motion.velocity * mass + Frame(motion).to_world(linear_momentum(body.model, body.state));
+    }
+    [[nodiscard]] Vec3 spin() const {
+        return world(inertia) * motion.angular_velocity +
+               Frame(motion).to_world(angular_momentum(body.model, body.state));
+    }
+
+    Body body;
+    CarrierMotion motion;
+    bool turns;
+    double mass = 0;
+    Mat3d inertia;
+    std::vector<Constraint> room;
+};
+
+InstanceInput in_space() {
+    InstanceInput input;
+    input.gravity = {};
+    input.may_sleep = false;
+    return input;
+}
+
+// Into a wall at 15 m/s, the whole scene moved, turned and under way.
+Rider crash(Vec3 place, Vec3 under_way, Quaternion orientation, bool has_inertia = false) {
+    Rider rider(bumper(dented()));
+    rider.motion.orientation = orientation;
+    CarrierMotion start;
+    start.orientation = orientation;
+    const Frame turn(start);
+    rider.motion.position = place;
+    rider.motion.velocity = under_way + turn.to_world({-15, 0, 0});
+    Obstacle wall;
+    wall.axis = turn.to_world({1, 0, 0});
+    wall.position = place + turn.to_world({-1, 0, 0});
+    wall.velocity = under_way;
+    for (int i = 0; i < 60; ++i) {
+        InstanceInput input = in_space();
+        input.has_inertia = has_inertia;
+        input.obstacles = {&wall, 1};
+        rider.step(input);
+        wall.position += under_way * static_cast<double>(input.dt);
+    }
+    return rider;
+}
+
+double farthest(const Body& a, const Body& b) {
+    double far = 0;
+    for (std::size_t i = 0; i < a.node_count(); ++i) far = std::max(far, static_cast<double>(length(a.x(i) - b.x(i))));
+    return far;
+}
+
+constexpr Quaternion upright{};
+const Quaternion leaning = to_quaternion(turn({1, 2, 3}, 0.7));
+
+}
+
+class CarrierInertia : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(OffAndOn, CarrierInertia, testing::Bool());
+
+TEST_P(CarrierInertia, TheSameCrashLeavesTheSameDentsAnywhere) {
+    const Rider here = crash({}, {}, upright, GetParam());
+    double dent = 0;
+    for (std::size_t i = 0; i < here.body.node_count(); ++i) {
+        dent = std::max(dent, static_cast<double>(length(here.body.x(i) - here.body.rest(i))));
+    }
+    EXPECT_GT(dent, 0.1);
+    constexpr double size = 1.8;
+    EXPECT_LT(farthest(here.body, crash({6000, 0, 8000}, {}, upright, GetParam()).body), 1e-4 * size);
+    EXPECT_LT(farthest(here.body, crash({}, {0, 0, 100}, upright, GetParam()).body), 1e-4 * size);
+    EXPECT_LT(farthest(here.body, crash({}, {-100, 0, 0}, upright, GetParam()).body), 1e-4 * size);
+    EXPECT_LT(farthest(here.body, crash({10000, 0, 0}, {-60, 0, 80}, leaning, GetParam()).body), 1e-4 * size);
+}
+
+TEST(Carrier, LockedNodesStandStillInTheFrame) {
+    const Rider rider = crash({}, {-100, 0, 0}, upright);
+    for (std::size_t i = 0; i < rider.body.node_count(); ++i) {
+        if (rider.body.bundle.locked[i]) {
+            EXPECT_EQ(rider.body.x(i), rider.body.rest(i));
+        }
+    }
+}
+
+// Nothing but the wall's push changes the momentum of carrier and nodes together.
+TEST(Carrier, ACrashKeepsTheMomentumOfBodyAndDeformation) {
+    Rider rider(bumper(dented()));
+    rider.motion.velocity = {-15, 2, 1};
+    Obstacle wall;
+    wall.axis = {1, 0, 0};
+    wall.position = {-1, 0, 0};
+    Vec3 expected = rider.momentum();
+    const double size = length(expected);
+    for (int i = 0; i < 120; ++i) {
+        InstanceInput input = in_space();
+        input.obstacles = {&wall, 1};
+        expected += rider.step(input).step.impulse;
+
+        EXPECT_LT(length(rider.momentum() - expected), 1e-4 * size) << i;
+    }
+    EXPECT_GT(rider.motion.velocity.x, -5);  // it did hit
+}
+
+// A blow on the free end: at first only the bumper moves, in the end everything does, with the blow's momentum.
+TEST(Carrier, ABlowEndsAsTheMomentumOfTheWhole) {
+    Material m = elastic_material(1e6);
+    m.beta_s = 0.02;
+    Rider rider(bumper(m, -0.5f), true);
+    const Vec3 blow{0, 0, 40};
+    const Vec3 at{-0.9, 0.3, 0.1};
+    const Hit hit{at, blow};
+    InstanceInput first = in_space();
+    first.hits = {&hit, 1};
+    first.has_inertia = true;
+    rider.step(first);
+    EXPECT_LT(length(rider.momentum() - blow), 1e-4 * length(blow));
+    for (int i = 0; i < 200; ++i) {
+        InstanceInput input = in_space();
+        input.has_inertia = true;
+        rider.step(input);
+        EXPECT_LT(length(rider.momentum() - blow), 1e-4 * length(blow)) << i;
+    }
+    EXPECT_LT(length(rider.motion.velocity - blow / rider.mass), 1e-3 * length(blow / rider.mass));
+    const Vec3 spin = cross(at, blow);
+    EXPECT_LT(length(rider.spin() - spin), 0.01 * length(spin));
+}
+
+// Braking throws the free part forward; without inertia it does not.
+TEST(Carrier, InertiaIsOptional) {
+    for (const bool has_inertia : {false, true}) {
+        Body body(bumper(elastic_material(1e6)));
+        std::vector<Constraint> room(body.node_count());
+        InstanceInput input = in_space();
+        input.has_inertia = has_inertia;
+        input.carrier.acceleration = {50, 0, 0};
+        input.room = room;
+        for (int i = 0; i < 30; ++i) step_instance(body.model, body.state, body.workspace, input, body.settings);
+        const float shift = body.x(0).x - body.rest(0).x;
+        EXPECT_EQ(shift < -1e-3f, has_inertia) << shift;
+        EXPECT_EQ(shift == 0, !has_inertia) << shift;
+    }
+}
+
+// On a turntable: at rest in the frame the pull outward is m w^2 r, so it stretches like under that load.
+TEST(Carrier, ATurningFramePullsOutward) {
+    Rider rider(bumper(elastic_material(1e7)));
+    rider.motion.angular_velocity = {0, 0, 10};
+    InstanceReport report;
+    InstanceInput input = in_space();
+    input.has_inertia = true;
+    for (int i = 0; i < 400; ++i) report = rider.step(input);
+    double centripetal = 0;
+    for (std::size_t i = 0; i < rider.body.node_count(); ++i) {
+        if (!rider.body.bundle.locked[i]) centripetal += rider.body.bundle.mass[i] * 100.0 * rider.body.x(i).x;
+    }
+    EXPECT_LT(rider.body.x(0).x, rider.body.rest(0).x - 1e-4f);
+    double tip = 0;
+    for (std::size_t i = 0; i < rider.body.node_count(); ++i) {
+        tip = std::max(tip, static_cast<double>(length(velocity(rider.body.state, i))));
+    }
+    EXPECT_LT(tip, 0.05);  // settled: no spurious turning against the frame
+    EXPECT_LT(centripetal, 0);
+}
+
+}
