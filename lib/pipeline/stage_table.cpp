@@ -8,7 +8,10 @@
 #include "core/names.h"
 #include "cull/cull.h"
 #include "delaunay/delaunay.h"
+#include "finish/finish.h"
+#include "gates/gates.h"
 #include "importer/import.h"
+#include "pipeline/bundle_gates.h"
 #include "pipeline/input_digests.h"
 #include "relax/relax.h"
 #include "sample/sample.h"
@@ -58,6 +61,13 @@ void require_regions(const TetMesh& tets) {
         throw Error(ErrorKind::bad_input, "the tets do not say yet what they are made of; run crumple cull first");
 }
 
+finish::Report run_finish(Workspace& work, const finish::Params& params, const Context& context) {
+    require_regions(*work.tets);
+    auto result = finish::finish_mesh(work.asset->shell, std::move(*work.tets), params, context);
+    work.tets = std::move(result.mesh);
+    return std::move(result.report);
+}
+
 bind::Report run_bind(Workspace& work, const bind::Params& params, const Context& context) {
     require_regions(*work.tets);
     auto result = bind::bind_visuals(work.asset->shell, *work.tets, work.asset->visuals, params, context);
@@ -70,6 +80,10 @@ bake::Report run_bake(Workspace& work, const bake::Params& params, const Context
     auto result = bake::bake_bundle(*work.asset, *work.tets, *work.bindings, params, context);
     work.bundle = std::move(result.bundle);
     return std::move(result.report);
+}
+
+gates::Report run_gates(Workspace& work, const gates::Params& params, const Context& context) {
+    return judge_cooked(work, params, context);
 }
 
 // A row out of Report run(Workspace&, const Params&, const Context&).
@@ -99,15 +113,17 @@ Stage row(std::string_view name, int version, std::vector<Group> reads, Group wr
 
 std::span<const Stage> stage_table() {
     using enum Group;
-    // recover comes between relax and cull, finish between cull and bind.
+    // recover comes between relax and cull.
     static const std::vector<Stage> table{
         row<run_import>("import", importer::version, {}, asset, "read the painted shell and the visual meshes"),
         row<run_sample>("sample", sample::version, {asset}, points, "put points inside the shell"),
         row<run_delaunay>("delaunay", delaunay::version, {points}, tets, "connect the points to tetrahedra, exactly"),
         row<run_relax>("relax", relax::version, {asset, tets}, tets, "move interior nodes until the shapes are good"),
         row<run_cull>("cull", cull::version, {asset, tets}, tets, "throw away what lies outside the shell"),
+        row<run_finish>("finish", finish::version, {asset, tets}, tets, "mend bad shapes, shell vertices staying put"),
         row<run_bind>("bind", bind::version, {asset, tets}, bindings, "hang the visual meshes on the tetrahedra"),
         row<run_bake>("bake", bake::version, {asset, tets, bindings}, bundle, "turn it into the arrays a game loads"),
+        row<run_gates>("gates", gates::version, {asset, bundle}, bundle, "hold the result against what it must be"),
     };
     return table;
 }
@@ -119,9 +135,8 @@ std::size_t stage_index(std::string_view name) {
     }
     std::vector<std::string> names;
     for (const Stage& stage : table) names.emplace_back(stage.name);
-    throw Error(ErrorKind::usage, "no stage '" + std::string(name) + "'; nearest: '" +
-                                      nearest_name(name, names) + "' (there are: " + list_names(names) +
-                                      ")");
+    throw Error(ErrorKind::usage, "no stage '" + std::string(name) + "'; nearest: '" + nearest_name(name, names) +
+                                      "' (there are: " + list_names(names) + ")");
 }
 
 const Stage& find_stage(std::string_view name) { return stage_table()[stage_index(name)]; }

@@ -34,7 +34,9 @@ inline crumple::pipeline::StageRun run(std::string_view stage, crumple::pipeline
 
 inline crumple::pipeline::Workspace cooked() {
     crumple::pipeline::Workspace work = imported();
-    for (const char* stage : {"sample", "delaunay", "relax", "cull", "bind", "bake"}) (void)run(stage, work);
+    for (const auto& stage : crumple::pipeline::stage_table()) {
+        if (stage.name != "import") (void)run(stage.name, work);
+    }
     return work;
 }
 
