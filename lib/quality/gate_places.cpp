@@ -147,7 +147,10 @@ PlaceTeller::Worst PlaceTeller::worst(Badness badness, Limit skipped) const {
     Worst worst;
     for (std::size_t i = 0; i < order.size() && worst.places.size() < max_places; ++i) {
         if (skipped != Limit::none && limits[i] == skipped) continue;
-        if (worst.places.empty()) worst.limit = limits[i];
+        if (worst.places.empty()) {
+            worst.limit = limits[i];
+            worst.is_flat = value_of(Badness::flattest, corners_of(mesh_, mesh_.tets[order[i]])) < key_of_10_deg;
+        }
         std::string figure = figure_of(badness, values[order[i]]);
         append(figure, text_of(limits[i]));
         worst.places.push_back(at_tet(order[i], figure));

@@ -22,6 +22,7 @@ public:
     struct Worst {
         std::vector<Place> places;
         Limit limit = Limit::none;  // of the first one
+        bool is_flat = false;       // the first one has an angle below 10 degrees
     };
     [[nodiscard]] Worst worst(Badness badness, Limit skipped = Limit::none) const;
 

@@ -14,15 +14,11 @@ namespace crumple::quality {
 
 namespace {
 
-constexpr const char* forced_thin =
-    "the shell is too thin there for its edges: thicken it, or cut its triangles finer until an edge is no longer than "
-    "five times the thickness";
-constexpr const char* forced_needle =
-    "a triangle of the shell has such a corner itself: collapse its short edge or turn its long one in the modeller";
-constexpr const char* our_failure =
-    "the shell does not force it: try finish.mode full, more interior points (sample.count) or more relax sweeps";
-constexpr const char* stiff_remedy =
-    "short edges and flat tets set the step: merge the shell's vertices that lie close together there";
+constexpr const char* thicken =
+    "thicken the shell there, or cut its triangles finer until an edge is no longer than five times the thickness";
+constexpr const char* mend_needle = "collapse the short edge of the shell's needle there, or turn its long one";
+constexpr const char* mesh_better =
+    "try finish.mode full, more interior points (sample.count) or more sweeps (relax.sweeps)";
 
 enum class Wanted { high, low };
 
@@ -65,16 +61,16 @@ public:
     std::vector<Finding> findings;
 };
 
-const char* remedy_for(Limit limit) {
+std::string remedy_for(Limit limit) {
     switch (limit) {
         case Limit::none:
-            return our_failure;
+            return std::string("the shell does not force it: ") + mesh_better;
         case Limit::thin:
-            return forced_thin;
+            return std::string("the shell is too thin for its edges: ") + thicken;
         case Limit::needle:
-            return forced_needle;
+            return std::string("a triangle of the shell has such a corner: ") + mend_needle;
     }
-    return our_failure;
+    return mesh_better;
 }
 
 struct Case {
@@ -102,13 +98,14 @@ void judge_inverted(Judgement& judgement, const Case& of) {
 void judge_share_below_10(Judgement& judgement, const Case& of) {
     const Figures& f = of.figures;
     const double counted = static_cast<double>(f.shape.below_10_deg) - static_cast<double>(f.below_10_thin);
+    const auto needles = static_cast<unsigned long long>(f.below_10_needle);
+    const auto thin = static_cast<unsigned long long>(f.below_10_thin);
+    const auto free = static_cast<unsigned long long>(f.shape.below_10_deg) - thin - needles;
     const auto tell = [&]() -> Judgement::Told {
-        const auto free = static_cast<unsigned long long>(f.shape.below_10_deg - f.below_10_thin - f.below_10_needle);
         const std::string split = format(
-            "%llu more where the shell is thin are not counted, %llu lie on needles of the shell, %llu are not "
-            "forced by it: ",
-            static_cast<unsigned long long>(f.below_10_thin), static_cast<unsigned long long>(f.below_10_needle), free);
-        return {split + (f.below_10_needle > free ? forced_needle : our_failure),
+            "%llu lie on needles of the shell, %llu are not its fault (%llu where it is thin do not count): ", needles,
+            free, thin);
+        return {split + (needles > free ? mend_needle : mesh_better),
                 of.teller.worst(Badness::flattest, Limit::thin).places, static_cast<std::uint64_t>(counted)};
     };
     judgement.ask("GATE_BELOW_10_DEG", "the share of tets with an angle below 10 degrees", counted / f.shape.tets,
@@ -136,7 +133,12 @@ void judge_shapes(Judgement& judgement, const Case& of) {
 
 void judge_cost(Judgement& judgement, const Case& of) {
     const auto stiff = [&](Badness badness) {
-        return [&of, badness]() -> Judgement::Told { return {stiff_remedy, of.teller.worst(badness).places}; };
+        return [&of, badness]() -> Judgement::Told {
+            PlaceTeller::Worst worst = of.teller.worst(badness);
+            if (worst.is_flat) return {"a flat tet sets it; " + remedy_for(worst.limit), std::move(worst.places)};
+            return {"the shortest edges set it: merge the shell's vertices that lie close together there",
+                    std::move(worst.places)};
+        };
     };
     if (of.figures.shape.inverted == 0) {
         judgement.ask("GATE_DT_RATIO", "the largest stable step over that of regular tets", of.figures.cost.dt_ratio,
