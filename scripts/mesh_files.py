@@ -96,8 +96,19 @@ PALETTE = numpy.array([[120, 170, 220], [230, 120, 60], [110, 190, 120], [220, 1
                        [210, 110, 140], [150, 150, 150]])
 
 
-def read_hdf(path):
-    """The tets of a bundle, a part and a colour each region, through the reader that ParaView uses."""
+# From bad to good: red, orange, yellow, green, blue. Linear light.
+SCALE = numpy.array([[170, 5, 5], [235, 90, 10], [240, 200, 30], [40, 150, 50], [15, 70, 160]])
+
+
+def scale_color(share):
+    """Colours of values that run from 0 (bad) to 1 (good)."""
+    stops = numpy.linspace(0, 1, len(SCALE))
+    return numpy.stack([numpy.interp(numpy.clip(share, 0, 1), stops, SCALE[:, k]) for k in range(3)], axis=-1)
+
+
+def read_hdf(path, field=None, limits=(0, 1)):
+    """The tets of a bundle, a part each region, through the reader that ParaView uses. Coloured by region, or by a field
+    of the tets from limits[0] (bad) to limits[1] (good)."""
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
     reader = vtk.vtkHDFReader()
@@ -108,10 +119,16 @@ def read_hdf(path):
     region = vtk_to_numpy(mesh.GetCellData().GetArray("region"))
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     locked = vtk_to_numpy(mesh.GetPointData().GetArray("locked")) != 0
+    colors = PALETTE[region % len(PALETTE)]
+    if field:
+        array = mesh.GetCellData().GetArray(field)
+        if not array:
+            raise SystemExit(f"{path}: the tets have no field '{field}'; cook with --keep-work")
+        colors = scale_color((vtk_to_numpy(array) - limits[0]) / (limits[1] - limits[0]))
     parts = []
     for number in numpy.unique(region):
-        own = tets[region == number]
-        parts.append(part_of(f"region_{number}", points, own, numpy.tile(PALETTE[number % len(PALETTE)], (len(own), 1))))
+        own = region == number
+        parts.append(part_of(f"region_{number}", points, tets[own], colors[own]))
         parts[-1].locked = locked
     return parts
 
@@ -119,8 +136,8 @@ def read_hdf(path):
 READERS = {".obj": read_obj, ".ply": read_ply, ".glb": read_glb, ".hdf": read_hdf}
 
 
-def read(path):
+def read(path, **options):
     path = pathlib.Path(path)
     if path.suffix.lower() not in READERS:
         raise SystemExit(f"{path}: can draw {', '.join(READERS)} only")
-    return READERS[path.suffix.lower()](path)
+    return READERS[path.suffix.lower()](path, **(options if path.suffix.lower() == ".hdf" else {}))

@@ -4,6 +4,7 @@
 
     scripts/render_mesh.py samples/car/car_shell.glb -o shell.png --wire
     scripts/render_mesh.py car.hdf -o inside.png --cut 'x>0.2'
+    scripts/render_mesh.py car.hdf -o quality.png --field min_dihedral_deg --range 0,40
     scripts/render_mesh.py car_visual.glb car_shell.glb -o both.png --ghost car_shell
 
 Needs python3-vtk9, python3-numpy, and xvfb where no display is set.
@@ -37,7 +38,12 @@ def options():
     parser.add_argument("--hide", action="append", default=[], metavar="NAME", help="leave a part out; repeatable")
     parser.add_argument("--cut", metavar="x<0.2", help="keep only elements whose middle lies there; also x>0.2")
     parser.add_argument("--cut-part", metavar="NAME", help="cut this part only, for example region_0 of a bundle")
+    parser.add_argument("--field", help="colour the tets of a bundle by this field of them, red to blue")
+    parser.add_argument("--range", default="0,1", metavar="BAD,GOOD", help="values of red and blue")
     args = parser.parse_args()
+    args.range = [float(value) for value in args.range.split(",")]
+    if len(args.range) != 2 or args.range[0] == args.range[1]:
+        parser.error("--range wants two numbers that differ, such as 0,40")
     unknown = [view for view in args.view.split(",") if view not in VIEWS]
     if args.cut and not re.fullmatch(r"[xyz][<>]-?[0-9.]+", args.cut):
         parser.error(f"--cut {args.cut}: write it like 'x<0.2'")
@@ -153,6 +159,31 @@ def locks_of(part, size):
     return actor
 
 
+def legend(args):
+    import vtk
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(64)
+    table.SetRange(*args.range)
+    for i in range(64):
+        table.SetTableValue(i, *(display(mesh_files.scale_color(numpy.array(i / 63))) / 255))
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetTitle(args.field)
+    bar.SetNumberOfLabels(5)
+    bar.SetLabelFormat("%.3g")
+    bar.SetOrientationToHorizontal()
+    bar.SetPosition(0.3, 0.02)
+    bar.SetWidth(0.4)
+    bar.SetHeight(0.1)
+    bar.UnconstrainedFontSizeOn()
+    for style, size in ((bar.GetTitleTextProperty(), 15), (bar.GetLabelTextProperty(), 13)):
+        style.SetColor(0.15, 0.15, 0.2)
+        style.SetFontSize(size)
+        style.ItalicOff()
+        style.ShadowOff()
+    return bar
+
+
 def scene(args, view, aspect):
     import vtk
     renderer = vtk.vtkRenderer()
@@ -162,13 +193,15 @@ def scene(args, view, aspect):
     low, high = numpy.full(3, numpy.inf), numpy.full(3, -numpy.inf)
     for path in args.files:
         stem = os.path.splitext(os.path.basename(path))[0]
-        for part in mesh_files.read(path):
+        for part in mesh_files.read(path, field=args.field, limits=args.range):
             low, high = numpy.minimum(low, part.points.min(axis=0)), numpy.maximum(high, part.points.max(axis=0))
             if part.name in args.hide or stem in args.hide:
                 continue
             renderer.AddActor(actor_of(part, args, part.name in args.ghost or stem in args.ghost))
             if args.locks and part.locked.any():
                 renderer.AddActor(locks_of(part, numpy.linalg.norm(high - low)))
+    if args.field:
+        renderer.AddActor2D(legend(args))
     aim(renderer, (low + high) / 2, numpy.linalg.norm(high - low), view, args.zoom * min(1, aspect / 1.5))
     return renderer
 
