@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/error.h"
 #include "geometry/predicates.h"
@@ -160,13 +161,12 @@ public:
     Piercers(const TetComplex& complex, const Triangle& facet, FacetObstacles& obstacles)
         : complex_(complex), facet_(facet), found_(obstacles) {}
 
-    void search(Index tet) {
-        look_through(tet);
+    void search(std::span<const Index> tets) {
+        for (const Index t : tets) look_through(t);
         for (std::size_t i = 0; i < found_.edges.size() && found_.node == none; ++i) {
             const PiercingEdge edge = found_.edges[i];
             complex_.ring_of(edge.tet, edge.nodes[0], edge.nodes[1], ring_);
-            const std::vector<Index> tets = ring_.tets;
-            for (const Index t : tets) look_through(t);
+            for (const Index t : ring_.tets) look_through(t);
         }
     }
 
@@ -233,9 +233,34 @@ void obstacles_of_facet(const TetComplex& complex, const Triangle& facet, FacetO
         const Index z = ring.link[(i + 1) % ring.link.size()];
         const int before = orient3d(at(a), at(b), at(y), at(c));
         const int after = orient3d(at(a), at(b), at(c), at(z));
-        if (before >= 0 && after >= 0 && before + after > 0) piercers.search(ring.tets[i]);
+        if (before >= 0 && after >= 0 && before + after > 0) piercers.search({&ring.tets[i], 1});
         if (!obstacles.edges.empty() || obstacles.node != none) return;
     }
+}
+
+// What cuts a triangle cuts its rim, or hangs together with what does: the tets at its corners and along its edges are
+// enough to begin with.
+void obstacles_of_any_facet(const TetComplex& complex, const Triangle& facet, FacetObstacles& obstacles) {
+    obstacles.edges.clear();
+    obstacles.node = none;
+    std::vector<Index> tets;
+    std::vector<Index> star;
+    std::vector<Crossing> crossings;
+    TetRing ring;
+    for (int i = 0; i < 3; ++i) {
+        complex.star_of(facet[i], star);
+        tets.insert(tets.end(), star.begin(), star.end());
+        crossings_of_segment(complex, facet[i], facet[(i + 1) % 3], crossings);
+        for (const Crossing& crossing : crossings) {
+            tets.push_back(crossing.tet);
+            if (crossing.count != 2) continue;
+            complex.ring_of(crossing.tet, crossing.nodes[0], crossing.nodes[1], ring);
+            tets.insert(tets.end(), ring.tets.begin(), ring.tets.end());
+        }
+    }
+    std::sort(tets.begin(), tets.end());
+    tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+    Piercers(complex, facet, obstacles).search(tets);
 }
 
 }

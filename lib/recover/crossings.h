@@ -26,13 +26,17 @@ struct PiercingEdge {
     Index tet;   // that has it
 };
 
-// What keeps a triangle whose three edges are in the tets from being a face of them: edges through its inside, or a
-// node in it.
+// What keeps a triangle from being faces of the tets: edges through its inside, or a node in it.
 struct FacetObstacles {
     std::vector<PiercingEdge> edges;
     Index node = none;  // lies in the facet; then the edges are not all told
 };
+
+// REQUIRES: its three edges are edges of the tets.
 void obstacles_of_facet(const TetComplex& complex, const Triangle& facet, FacetObstacles& obstacles);
+
+// Likewise, whether its edges are there or not; takes longer.
+void obstacles_of_any_facet(const TetComplex& complex, const Triangle& facet, FacetObstacles& obstacles);
 
 // Whether the open segment (a, b) passes through the inside of the triangle.
 [[nodiscard]] bool pierces(Vec3 a, Vec3 b, Vec3 p, Vec3 q, Vec3 r);

@@ -24,6 +24,18 @@ Index face_corner(const TetComplex& complex, const Crossing& face) {
 
 }
 
+bool is_blocked(const Constraints& constraints, const std::vector<Crossing>& crossings) {
+    return std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& c) {
+        if (c.count == 3) return constraints.has_facet(c.nodes[0], c.nodes[1], c.nodes[2]);
+        return c.count == 2 && constraints.has_segment(c.nodes[0], c.nodes[1]);
+    });
+}
+
+bool is_blocked(const Constraints& constraints, const FacetObstacles& obstacles) {
+    return std::any_of(obstacles.edges.begin(), obstacles.edges.end(),
+                       [&](const PiercingEdge& e) { return constraints.has_segment(e.nodes[0], e.nodes[1]); });
+}
+
 bool Liberator::exchange_for_segment(const Goal& goal) {
     Exchange best;
     Exchange exchange;
@@ -74,6 +86,7 @@ Outcome Liberator::free_segment(Index a, Index b, int depth) {
             return Outcome::through;
         }
         if (exchange_for_segment(goal)) continue;
+        if (is_blocked(constraints_, crossings_)) return Outcome::blocked;
         bool has_progress = false;
         for (int level = 1; level <= depth && !has_progress; ++level) has_progress = clear_for_segment(goal, level);
         if (!has_progress) return Outcome::stuck;
@@ -116,6 +129,7 @@ Outcome Liberator::free_facet(const Triangle& facet, int depth) {
         if (node_ != none) return Outcome::through;
         if (obstacles_.edges.empty()) return Outcome::there;
         if (exchange_for_facet(goal)) continue;
+        if (is_blocked(constraints_, obstacles_)) return Outcome::blocked;
         bool has_progress = false;
         for (int level = 1; level <= depth && !has_progress; ++level) has_progress = clear_for_facet(goal, level);
         if (!has_progress) return Outcome::stuck;

@@ -15,19 +15,25 @@ namespace crumple::recover {
 enum class Outcome {
     there,    // an edge or face of the tets now
     stuck,    // no exchange helps
+    blocked,  // by a part of the shell that is there already
     through,  // a node lies in it: Liberator::node()
 };
 
+// Whether a segment or facet of the shell that is there is among what is in the way.
+[[nodiscard]] bool is_blocked(const Constraints& constraints, const std::vector<Crossing>& crossings);
+[[nodiscard]] bool is_blocked(const Constraints& constraints, const FacetObstacles& obstacles);
+
 class Liberator {
 public:
-    Liberator(TetComplex& complex, const Constraints& constraints) : complex_(complex), flips_(complex, constraints) {}
+    Liberator(TetComplex& complex, const Constraints& constraints)
+        : complex_(complex), constraints_(constraints), flips_(complex, constraints) {}
 
     // depth: of edges that may be cleared to clear another one, 0 for none.
     Outcome free_segment(Index a, Index b, int depth);
     // REQUIRES: the three edges are there.
     Outcome free_facet(const Triangle& facet, int depth);
 
-    // After `stuck`: what is left in the way.
+    // After `stuck` or `blocked`: what is left in the way.
     [[nodiscard]] const std::vector<Crossing>& crossings() const { return crossings_; }
     [[nodiscard]] const FacetObstacles& obstacles() const { return obstacles_; }
     [[nodiscard]] Index node() const { return node_; }
@@ -40,6 +46,7 @@ private:
     bool clear_for_facet(const Goal& goal, int depth);
 
     TetComplex& complex_;
+    const Constraints& constraints_;
     Flips flips_;
     std::vector<Crossing> crossings_;
     FacetObstacles obstacles_;

@@ -26,7 +26,7 @@ struct Params {
     Mode mode = Mode::automatic;
     std::uint32_t depth = 3;
     double max_steiner = 0.1;
-    double negligible = 0.001;
+    double negligible = 0.02;
 };
 
 template <class Visitor, FieldsOf<Params> P>
@@ -39,8 +39,10 @@ void describe(Visitor& visit, P& p) {
     visit.field(
         "max_steiner", p.max_steiner, Range{0, 10},
         "nodes put on the shell's edges where nothing else helps, at most, in shell vertices; most leave again");
-    visit.field("negligible", p.negligible, Range{0, 0.1},
-                "auto: a missing edge this near to the tets' own is no loss, in lengths of it");
+    visit.field(
+        "negligible", p.negligible, Range{0, 0.1},
+        "auto: a missing edge of less than 5 degrees fold is no loss when the tets' own faces pass this near to it, "
+        "in lengths of it (and nearer than 0.3 % of the shell's diagonal)");
 }
 
 // Of the shell's edges and triangles, copies counted once.

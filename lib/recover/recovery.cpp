@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "geometry/measures.h"
 #include "geometry/predicates.h"
 #include "recover/deviation.h"
 
@@ -11,17 +13,10 @@ namespace crumple::recover {
 
 namespace {
 
-double squared_length(const TetComplex& complex, const Edge& e) {
-    const Vec3 d = complex.position(e[1]) - complex.position(e[0]);
-    return dot(d, d);
-}
+// Of the diagonal: what an artist's eye and a solver's shape both miss.
+constexpr double negligible_of_diagonal = 3e-3;
 
-double squared_size(const TetComplex& complex, const Triangle& t) {
-    return std::max({squared_length(complex, {t[0], t[1]}), squared_length(complex, {t[1], t[2]}),
-                     squared_length(complex, {t[2], t[0]})});
-}
-
-// Tets around an edge of `tet` or across one of its faces that hold the place in their inside or on their surface.
+// Of the candidates those that hold the place in their inside or on their surface.
 std::vector<Index> holders_of(const TetComplex& complex, const std::vector<Index>& candidates, Vec3 place) {
     std::vector<Index> holders;
     for (const Index t : candidates) {
@@ -51,14 +46,24 @@ std::vector<Index> stars_of(const TetComplex& complex, std::initializer_list<Ind
 
 }
 
-Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& params, std::size_t max_splits,
-                   const Context& context)
+Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& params, const Context& context)
     : complex_(complex),
       constraints_(constraints),
       params_(params),
       context_(context),
       liberator_(complex, constraints),
-      splits_left_(max_splits) {}
+      node_count_(static_cast<Index>(complex.positions().size())),
+      largest_loss_(bounding_box(complex.positions()).diagonal() * negligible_of_diagonal),
+      splits_left_(0) {
+    // A handful for shells of few vertices, where a tenth is none.
+    std::size_t nodes = 0;
+    std::vector<std::uint8_t> is_on_shell(node_count_, 0);
+    for (const Edge& e : constraints.segments()) {
+        for (const Index v : e) nodes += !std::exchange(is_on_shell[v], 1);
+    }
+    if (params.max_steiner > 0)
+        splits_left_ = static_cast<std::size_t>(params.max_steiner * static_cast<double>(nodes)) + 4;
+}
 
 std::vector<Edge> Recovery::missing_segments() const {
     std::vector<Edge> missing;
@@ -77,40 +82,48 @@ std::vector<Triangle> Recovery::missing_facets() const {
 }
 
 bool Recovery::matters(const Edge& segment) const {
-    return params_.mode == Mode::always || deviation_of_segment(complex_, segment) > params_.negligible;
+    const std::vector<Index>& apexes = constraints_.apexes(segment);
+    if (params_.mode == Mode::always || is_part(segment) || is_part(apexes)) return true;
+    const double loss = std::min(largest_loss_, params_.negligible * length_of(segment[0], segment[1]));
+    return deviation_of_segment(complex_, segment, apexes) > loss ||
+           std::any_of(apexes.begin(), apexes.end(),
+                       [&](Index apex) { return matters(sorted_triangle(segment[0], segment[1], apex)); });
 }
 
 bool Recovery::matters(const Triangle& facet) const {
-    return params_.mode == Mode::always || deviation_of_facet(complex_, facet) > params_.negligible;
+    if (params_.mode == Mode::always || is_part(facet)) return true;
+    return deviation_of_facet(complex_, facet) > std::min(largest_loss_, params_.negligible * size_of(facet));
 }
 
 // Short ones first: they are the least in the way of others.
-void Recovery::free_segments(int depth) {
+bool Recovery::free_segments(int depth) {
     std::vector<Edge> todo = missing_segments();
-    std::stable_sort(todo.begin(), todo.end(), [&](const Edge& a, const Edge& b) {
-        return squared_length(complex_, a) < squared_length(complex_, b);
-    });
+    std::stable_sort(todo.begin(), todo.end(),
+                     [&](const Edge& a, const Edge& b) { return length_of(a[0], a[1]) < length_of(b[0], b[1]); });
+    bool is_stuck = false;
     for (const Edge& e : todo) {
         context_.stop_if_cancelled();
-        if (!constraints_.has_segment(e[0], e[1])) continue;
-        if (liberator_.free_segment(e[0], e[1], depth) != Outcome::through) continue;
-        const Index node = liberator_.node();
-        split_segment(constraints_, e[0], e[1], node);
+        if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
+        const Outcome outcome = liberator_.free_segment(e[0], e[1], depth);
+        is_stuck |= outcome != Outcome::there;
+        if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
     }
+    return is_stuck;
 }
 
-void Recovery::free_facets(int depth) {
+bool Recovery::free_facets(int depth) {
     std::vector<Triangle> todo = missing_facets();
-    std::stable_sort(todo.begin(), todo.end(), [&](const Triangle& a, const Triangle& b) {
-        return squared_size(complex_, a) < squared_size(complex_, b);
-    });
+    std::stable_sort(todo.begin(), todo.end(),
+                     [&](const Triangle& a, const Triangle& b) { return size_of(a) < size_of(b); });
+    bool is_stuck = false;
     for (const Triangle& t : todo) {
         context_.stop_if_cancelled();
-        if (!constraints_.has_facet(t[0], t[1], t[2])) continue;
-        if (!has_edge(t[0], t[1]) || !has_edge(t[1], t[2]) || !has_edge(t[2], t[0])) continue;
-        if (liberator_.free_facet(t, depth) != Outcome::through) continue;
-        split_facet(constraints_, t, liberator_.node());
+        if (has_face(t) || !has_edges(t) || !matters(t)) continue;
+        const Outcome outcome = liberator_.free_facet(t, depth);
+        is_stuck |= outcome != Outcome::there;
+        if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
     }
+    return is_stuck;
 }
 
 bool Recovery::split_at_crossing(const Edge& segment) {
@@ -145,11 +158,10 @@ bool Recovery::split_stuck_segments() {
     bool has_split = false;
     for (const Edge& e : missing_segments()) {
         if (splits_left_ == 0) break;
-        if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1])) continue;
+        if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
         const Outcome outcome = liberator_.free_segment(e[0], e[1], static_cast<int>(params_.depth));
         if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
-        if (outcome != Outcome::stuck || !matters(e)) continue;
-        if (!split_at_crossing(e)) continue;
+        if (outcome != Outcome::stuck || !split_at_crossing(e)) continue;
         --splits_left_;
         ++splits_tried_;
         has_split = true;
@@ -187,11 +199,10 @@ bool Recovery::split_stuck_facets() {
     bool has_split = false;
     for (const Triangle& t : missing_facets()) {
         if (splits_left_ == 0) break;
-        if (has_face(t) || !has_edge(t[0], t[1]) || !has_edge(t[1], t[2]) || !has_edge(t[2], t[0])) continue;
+        if (has_face(t) || !has_edges(t) || !matters(t)) continue;
         const Outcome outcome = liberator_.free_facet(t, static_cast<int>(params_.depth));
         if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
-        if (outcome != Outcome::stuck || !matters(t)) continue;
-        if (!split_at_obstacle(t)) continue;
+        if (outcome != Outcome::stuck || !split_at_obstacle(t)) continue;
         --splits_left_;
         ++splits_tried_;
         has_split = true;
@@ -210,15 +221,57 @@ void Recovery::undo_splits() {
 
 void Recovery::run() {
     const int depth = static_cast<int>(params_.depth);
-    for (int level = 0; level <= depth; ++level) free_segments(level);
-    for (int level = 0; level <= depth; ++level) free_facets(level);
+    context_.tell_progress("edges", 0);
+    for (int level = 0; level <= depth && free_segments(level);) ++level;
+    context_.tell_progress("triangles", 0.4);
+    for (int level = 0; level <= depth && free_facets(level);) ++level;
+    // A part that is freed late may have pushed a negligible one aside, so all are looked at each time.
     for (bool goes_on = true; goes_on;) {
+        context_.tell_progress("stuck ones", 0.7);
         goes_on = split_stuck_segments();
         free_segments(depth);
         if (!goes_on) goes_on = split_stuck_facets();
         free_facets(depth);
     }
     undo_splits();
+}
+
+Missing<Edge> Recovery::judge_segments() const {
+    Missing<Edge> missing;
+    std::vector<Crossing> crossings;
+    for (const Edge& e : missing_segments()) {
+        crossings_of_segment(complex_, e[0], e[1], crossings);
+        if (!matters(e)) {
+            missing.negligible.push_back(e);
+        } else if (is_blocked(constraints_, crossings)) {
+            missing.blocked.push_back(e);
+        } else {
+            missing.stuck.push_back(e);
+        }
+    }
+    return missing;
+}
+
+Missing<Triangle> Recovery::judge_facets(const Missing<Edge>& segments) const {
+    const auto has_edge_of = [](const std::vector<Edge>& edges, const Triangle& t) {
+        const auto has = [&](Index a, Index b) {
+            return std::binary_search(edges.begin(), edges.end(), sorted_edge(a, b));
+        };
+        return has(t[0], t[1]) || has(t[1], t[2]) || has(t[2], t[0]);
+    };
+    Missing<Triangle> missing;
+    FacetObstacles obstacles;
+    for (const Triangle& t : missing_facets()) {
+        obstacles_of_any_facet(complex_, t, obstacles);
+        if (is_blocked(constraints_, obstacles) || has_edge_of(segments.blocked, t)) {
+            missing.blocked.push_back(t);
+        } else if (has_edge_of(segments.stuck, t) || matters(t)) {
+            missing.stuck.push_back(t);
+        } else {
+            missing.negligible.push_back(t);
+        }
+    }
+    return missing;
 }
 
 }

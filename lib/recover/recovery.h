@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole task: every segment and facet in turn, splits where they are stuck, splits taken back at the end.
 #pragma once
+#include <algorithm>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "core/context.h"
@@ -14,39 +14,70 @@
 
 namespace crumple::recover {
 
+// What is not there, by the reason.
+template <class Nodes>
+struct Missing {
+    std::vector<Nodes> negligible;  // the tets' own faces run next to it
+    std::vector<Nodes> blocked;     // another part of the shell runs through it
+    std::vector<Nodes> stuck;       // out of means
+
+    [[nodiscard]] std::size_t count() const { return negligible.size() + blocked.size() + stuck.size(); }
+};
+
 class Recovery {
 public:
-    Recovery(TetComplex& complex, Constraints& constraints, const Params& params, std::size_t max_splits,
-             const Context& context);
+    Recovery(TetComplex& complex, Constraints& constraints, const Params& params, const Context& context);
 
     void run();
 
-    // What is not there, ascending.
+    // Ascending.
     [[nodiscard]] std::vector<Edge> missing_segments() const;
     [[nodiscard]] std::vector<Triangle> missing_facets() const;
+    [[nodiscard]] Missing<Edge> judge_segments() const;
+    [[nodiscard]] Missing<Triangle> judge_facets(const Missing<Edge>& segments) const;
 
     [[nodiscard]] const std::vector<Split>& splits() const { return splits_; }  // that stay
     [[nodiscard]] std::uint64_t splits_tried() const { return splits_tried_; }
     [[nodiscard]] std::uint64_t exchanges() const { return liberator_.exchanges(); }
 
 private:
-    void free_segments(int depth);
-    void free_facets(int depth);
+    // Each tells whether some that matter are stuck.
+    bool free_segments(int depth);
+    bool free_facets(int depth);
+    // Each tells whether it put nodes anywhere.
     bool split_stuck_segments();
     bool split_stuck_facets();
     bool split_at_crossing(const Edge& segment);
     bool split_at_obstacle(const Triangle& facet);
     void undo_splits();
+
     [[nodiscard]] bool has_edge(Index a, Index b) const { return complex_.find_edge(a, b) != none; }
+    [[nodiscard]] bool has_edges(const Triangle& t) const {
+        return has_edge(t[0], t[1]) && has_edge(t[1], t[2]) && has_edge(t[2], t[0]);
+    }
     [[nodiscard]] bool has_face(const Triangle& t) const { return complex_.find_face(t[0], t[1], t[2]) != none; }
+
+    // Parts of a split matter always, with their edges: only when all are there can it be taken back.
+    template <class Nodes>
+    [[nodiscard]] bool is_part(const Nodes& nodes) const {
+        return std::any_of(nodes.begin(), nodes.end(), [&](Index v) { return v >= node_count_; });
+    }
     [[nodiscard]] bool matters(const Edge& segment) const;
     [[nodiscard]] bool matters(const Triangle& facet) const;
+    [[nodiscard]] double length_of(Index a, Index b) const {
+        return length(complex_.position(b) - complex_.position(a));
+    }
+    [[nodiscard]] double size_of(const Triangle& t) const {
+        return std::max({length_of(t[0], t[1]), length_of(t[1], t[2]), length_of(t[2], t[0])});
+    }
 
     TetComplex& complex_;
     Constraints& constraints_;
     const Params& params_;
     const Context& context_;
     Liberator liberator_;
+    Index node_count_;     // before any split
+    double largest_loss_;  // metres that may be neglected
     std::size_t splits_left_;
     std::uint64_t splits_tried_ = 0;
     std::vector<Split> splits_;
