@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "finish/crowded.h"
 #include "finish/findings.h"
 #include "finish/improve.h"
 #include "finish/peel.h"
@@ -40,6 +41,8 @@ public:
           work_(mesh),
           budget_(std::uint64_t{params.budget} * mesh.tets.size()),
           volume_(params.peel_volume * report.before.volume) {}
+
+    void merge_crowded() { report_.operations.contractions += merge_crowded_nodes(work_, guard_, context_); }
 
     // Only what is flat to the limits that hold for flips of the surface.
     void peel_flattest() {
@@ -103,6 +106,7 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
     repair(mesh, shell, report, context);
     Finisher finisher(shell, mesh, params, report, context);
     if (params.mode == Mode::full) {
+        finisher.merge_crowded();
         finisher.peel_flattest();
         finisher.improve();
         if (finisher.peel_flat()) finisher.improve();

@@ -7,6 +7,7 @@
 #include "finish/edge_removal.h"
 #include "finish/face_removal.h"
 #include "finish/node_operations.h"
+#include "finish/surface_contraction.h"
 
 namespace crumple::finish {
 
@@ -110,7 +111,6 @@ private:
 
     // Stars in which a better tet's node would have to wait for a worse one are left to that one.
     bool find_own_star(Index tet, Index node) {
-        if (!mesh_.is_free[node]) return false;
         mesh_.complex.star_of(node, star_);
         return least_shape(mesh_, star_) >= mesh_.shape(tet);
     }
@@ -120,7 +120,7 @@ private:
         const double floor = mesh_.shape(tet) + least_gain;
         bool has_moved = false;
         for (const Index v : corners) {
-            if (!find_own_star(tet, v) || !spend()) continue;
+            if (!mesh_.is_free[v] || !find_own_star(tet, v) || !spend()) continue;
             const auto better = plan_move(mesh_, v, star_, floor);
             if (!better) continue;
             move_node(mesh_, v, better->place, star_);
@@ -136,9 +136,9 @@ private:
         double floor = mesh_.shape(tet) + least_gain;
         bool is_found = false;
         for (const Index v : corners) {
-            if (!find_own_star(tet, v)) continue;
+            if (!(mesh_.is_free[v] || mesh_.is_surplus[v]) || !find_own_star(tet, v)) continue;
             for (const Index target : corners) {
-                if (target == v || !spend() || !plan_contraction(mesh_, v, star_, target, floor, exchange_)) continue;
+                if (target == v || !spend() || !plan_merge(v, target, floor)) continue;
                 keep_best(floor);
                 is_found = true;
             }
@@ -147,6 +147,11 @@ private:
         ++report_.contractions;
         offer(apply(mesh_, best_));
         return true;
+    }
+
+    bool plan_merge(Index node, Index target, double floor) {
+        return mesh_.is_free[node] ? plan_contraction(mesh_, node, star_, target, floor, exchange_)
+                                   : plan_surface_contraction(mesh_, guard_, node, star_, target, floor, exchange_);
     }
 
     bool mend_by_insertion(Index tet) {

@@ -134,4 +134,27 @@ bool SurfaceGuard::may_flip(const WorkMesh& mesh, Index a, Index b, Index p, Ind
     return distance_to_shell((at_p + at_q) * 0.5) <= std::max(before, limit) && is_clear(mesh, a, b, p, q);
 }
 
+// The node must lie next to the new faces, on their outer side by no more than rounding: then only what was filled
+// before is filled after, up to what a game could not tell.
+bool SurfaceGuard::may_contract(std::span<const Vec3> at, std::span<const Edge> link, Index node, Index target) const {
+    const double edge = length(at[target] - at[node]);
+    const double limit = std::min(limits_.share_of_edge * edge, limits_.share_of_diagonal * diagonal_);
+    const double rounding = 1e-6 * diagonal_;
+    const auto locked_ends =
+        std::count_if(link.begin(), link.end(), [&](const Edge& e) { return is_locked(shell_, e[0]); });
+    if (locked_ends > 1 && !is_locked(shell_, target)) return false;  // a painted edge may run through the node
+    double nearest = edge;
+    for (const auto& [from, to] : link) {
+        if (from == target || to == target) continue;
+        const Vec3 before = area_vector(at[node], at[from], at[to]);
+        const Vec3 after = area_vector(at[target], at[from], at[to]);
+        if (!(dot(before, after) > 0)) return false;
+        const double height = dot(at[node] - at[target], after) / length(after);
+        if (height < -rounding) return false;
+        nearest =
+            std::min(nearest, length(closest_point_on_triangle(at[target], at[from], at[to], at[node]) - at[node]));
+    }
+    return nearest <= std::max(limit, rounding);
+}
+
 }

@@ -3,6 +3,7 @@
 // beside it only where that is as good as flat, keeps to the shell and crosses nothing that means something to the
 // artist.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "finish/work_mesh.h"
@@ -25,6 +26,11 @@ public:
 
     // Whether the faces (a, p, b) and (a, b, q), counter-clockwise from outside, may become (a, p, q) and (p, b, q).
     [[nodiscard]] bool may_flip(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const;
+
+    // Whether the faces (node, from, to) of the surface, one for each edge of `link`, may become (target, from, to);
+    // those that have the target vanish.
+    [[nodiscard]] bool may_contract(std::span<const Vec3> at, std::span<const Edge> link, Index node,
+                                    Index target) const;
 
     // An edge of the shell that is painted (both ends locked) or has not just two triangles of one component.
     [[nodiscard]] bool is_marked(Index a, Index b) const;

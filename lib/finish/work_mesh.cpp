@@ -54,6 +54,7 @@ std::span<const Index> apply(WorkMesh& mesh, const Exchange& exchange) {
 Index add_node(WorkMesh& mesh, Vec3 place) {
     mesh.is_on_surface.push_back(0);
     mesh.is_free.push_back(1);
+    mesh.is_surplus.push_back(0);
     mesh.is_pinched.push_back(0);
     mesh.changed_at.push_back(mesh.clock + 1);
     return mesh.complex.add_node(place);
@@ -72,6 +73,7 @@ void find_surface(WorkMesh& mesh) {
     const std::size_t nodes = mesh.complex.positions().size();
     mesh.is_on_surface.assign(nodes, 0);
     mesh.is_free.assign(nodes, 0);
+    mesh.is_surplus.assign(nodes, 0);
     mesh.is_pinched.assign(nodes, 0);
     const TetMesh whole = mesh.complex.to_mesh();
     const Boundary boundary = boundary_of(whole);
@@ -88,8 +90,10 @@ void find_surface(WorkMesh& mesh) {
             region[v] = here;
         }
     }
-    for (std::size_t v = whole.shell_vertex_count; v < nodes; ++v)
-        mesh.is_free[v] = !mesh.is_on_surface[v] && !is_mixed[v] && region[v] != none;
+    for (std::size_t v = whole.shell_vertex_count; v < nodes; ++v) {
+        if (is_mixed[v] || mesh.is_pinched[v] || region[v] == none) continue;
+        (mesh.is_on_surface[v] ? mesh.is_surplus : mesh.is_free)[v] = 1;
+    }
 }
 
 TetMesh take_mesh(const WorkMesh& mesh) {

@@ -36,6 +36,7 @@ struct WorkMesh {
     std::vector<double> shapes;               // by slot
     std::vector<std::uint8_t> is_on_surface;  // V: some face at it is exposed
     std::vector<std::uint8_t> is_free;        // V: interior node, not on the surface, all its tets of one region
+    std::vector<std::uint8_t> is_surplus;     // V: none of the shell's, on the surface, all its tets of one region
     std::vector<std::uint8_t> is_pinched;     // V: the surface touches itself there; left alone
 
     // When a tet at a node last changed and when a tet was last tried in vain, counted in changes.
