@@ -13,6 +13,7 @@
 #include "importer/import.h"
 #include "pipeline/bundle_gates.h"
 #include "pipeline/input_digests.h"
+#include "recover/recover.h"
 #include "relax/relax.h"
 #include "sample/sample.h"
 
@@ -45,6 +46,12 @@ delaunay::Report run_delaunay(Workspace& work, const delaunay::Params& params, c
 
 relax::Report run_relax(Workspace& work, const relax::Params& params, const Context& context) {
     auto result = relax::relax_points(std::move(*work.tets), work.asset->shell, params, context);
+    work.tets = std::move(result.mesh);
+    return std::move(result.report);
+}
+
+recover::Report run_recover(Workspace& work, const recover::Params& params, const Context& context) {
+    auto result = recover::recover_shell(std::move(*work.tets), work.asset->shell, params, context);
     work.tets = std::move(result.mesh);
     return std::move(result.report);
 }
@@ -113,12 +120,13 @@ Stage row(std::string_view name, int version, std::vector<Group> reads, Group wr
 
 std::span<const Stage> stage_table() {
     using enum Group;
-    // recover comes between relax and cull.
     static const std::vector<Stage> table{
         row<run_import>("import", importer::version, {}, asset, "read the painted shell and the visual meshes"),
         row<run_sample>("sample", sample::version, {asset}, points, "put points inside the shell"),
         row<run_delaunay>("delaunay", delaunay::version, {points}, tets, "connect the points to tetrahedra, exactly"),
         row<run_relax>("relax", relax::version, {asset, tets}, tets, "move interior nodes until the shapes are good"),
+        row<run_recover>("recover", recover::version, {asset, tets}, tets,
+                         "bring the shell's edges and triangles back into the tets"),
         row<run_cull>("cull", cull::version, {asset, tets}, tets, "throw away what lies outside the shell"),
         row<run_finish>("finish", finish::version, {asset, tets}, tets, "mend bad shapes, shell vertices staying put"),
         row<run_bind>("bind", bind::version, {asset, tets}, bindings, "hang the visual meshes on the tetrahedra"),

@@ -32,7 +32,7 @@ class Check(program.Case):
         self.assertEqual(report["files"][0]["problems"], [])
         self.assertEqual(report["files"][0]["quality"]["inverted"], 0)
         self.assertEqual([stage["name"] for stage in report["files"][0]["record"]],
-                         ["import", "sample", "delaunay", "relax", "cull", "finish", "bind", "bake"])
+                         ["import", "sample", "delaunay", "relax", "recover", "cull", "finish", "bind", "bake"])
 
     def test_figures_that_need_the_shell_come_from_the_stored_report(self):
         _, report = self.check(self.output)

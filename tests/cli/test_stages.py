@@ -5,7 +5,7 @@ import unittest
 
 import program
 
-STAGES = ["import", "sample", "delaunay", "relax", "cull", "finish", "bind", "bake"]
+STAGES = ["import", "sample", "delaunay", "relax", "recover", "cull", "finish", "bind", "bake"]
 
 
 class Chain(program.Case):

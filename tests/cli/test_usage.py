@@ -8,8 +8,8 @@ import unittest
 
 import program
 
-VERBS = ["cook", "check", "inspect", "compare", "export", "dev", "import", "sample", "delaunay", "relax", "cull", "finish", "bind",
-         "bake"]
+VERBS = ["cook", "check", "inspect", "compare", "export", "dev", "import", "sample", "delaunay", "relax", "recover", "cull",
+         "finish", "bind", "bake"]
 
 
 class Usage(program.Case):
