@@ -25,4 +25,12 @@ BundleView view_of(const Blob& b, std::span<Material> materials) noexcept {
             b.edge_corners};
 }
 
+VisualView view_of(const Blob& blob, const BlobVisual& visual) noexcept {
+    return {blob.tets, visual.tet, visual.barycentric};
+}
+
+SensorView view_of(const BlobSensor& sensor) noexcept {
+    return {sensor.node, sensor.weight, sensor.rest_origin, sensor.rest_axes};
+}
+
 }

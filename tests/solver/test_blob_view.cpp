@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <numeric>
 
 #include "bundle/aligned_bytes.h"
 #include "bundle/forged_blob.h"
@@ -16,7 +17,11 @@ using crumple::test::AlignedBytes;
 
 Bundle hung_grid() {
     const Material material = elastic_material();
-    return grid_body({3, 2, 2}, {0.5f, 0.5f, 0.5f}, material, [](Vec3f p) { return p.x == 0; });
+    Bundle bundle = grid_body({3, 2, 2}, {0.5f, 0.5f, 0.5f}, material, [](Vec3f p) { return p.x == 0; });
+    bundle.node_to_mesh.resize(bundle.rest_positions.size());  // a blob has one for every node
+    std::iota(bundle.node_to_mesh.begin(), bundle.node_to_mesh.end(), 0u);
+    bundle.mesh_to_node = bundle.node_to_mesh;
+    return bundle;
 }
 
 AlignedBytes memory_for(std::size_t size) { return AlignedBytes(std::vector<std::byte>(size)); }
