@@ -6,6 +6,7 @@
 #
 # Steps, all of them by default:
 #   full        every test in its long form (CRUMPLE_FULL_TESTS=1), Release and sanitized
+#   toolchains  what a game embeds with gcc, clang, mingw under wine and aarch64 under qemu
 #   compilers   the suite with clang, and the sample car cooked by gcc and by clang: same bytes
 #   fuzz        each libFuzzer target for N minutes, 10 by default
 #   bench       every benchmark at its full size, figures in build/bench/*.json
@@ -16,12 +17,12 @@ minutes=10 steps=()
 while [ $# -gt 0 ]; do
     case "$1" in
         --fuzz-minutes) minutes="${2:?--fuzz-minutes: how many?}"; shift ;;
-        full | compilers | fuzz | bench) steps+=("$1") ;;
-        *) sed -n '4,12s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+        full | toolchains | compilers | fuzz | bench) steps+=("$1") ;;
+        *) sed -n '4,13s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
     esac
     shift
 done
-[ ${#steps[@]} -gt 0 ] || steps=(full compilers fuzz bench)
+[ ${#steps[@]} -gt 0 ] || steps=(full toolchains compilers fuzz bench)
 
 run_full() {
     for preset in release dev; do
@@ -34,6 +35,8 @@ cook_with() {
     "build/$1/crumple" cook pipelines/car_body.json --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb \
         -q -o "build/$1/car.hdf"
 }
+
+run_toolchains() { scripts/toolchains.sh; }
 
 run_compilers() {
     scripts/test.sh clang
