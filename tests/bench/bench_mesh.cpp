@@ -26,29 +26,45 @@ const std::vector<std::string> all_shells{"bonnet", "boxnest", "carbody", "carho
 const std::vector<std::string> quick_shells{"spot", "carbody", "bonnet"};
 
 constexpr int most_rounds = 6;
-constexpr double near_enough = 0.03;  // of the tets wanted
+constexpr double near_enough = 0.03;   // of the tets wanted: no need to try on
+constexpr double still_matched = 0.1;  // of the tets wanted
+
+double tets_off(const Made& made, double wanted) { return static_cast<double>(made.mesh.tets.size()) - wanted; }
 
 // Tets grow about as fast as points, so a secant finds their number; of all meshes on the way the nearest is taken.
-std::optional<Made> matched(const MeshCase& of, const Made& automatic, double wanted) {
-    const auto error = [&](const Made& m) { return static_cast<double>(m.mesh.tets.size()) - wanted; };
+std::optional<Made> search(const MeshCase& of, const std::vector<std::string>& settings, double wanted) {
+    const auto cook = [&](const std::string& count) {
+        std::vector<std::string> all = settings;
+        all.push_back("sample.count=" + count);
+        return of.cook(all);
+    };
     const auto points = [](const Made& m) { return static_cast<double>(m.interior_points); };
-    std::optional<Made> fewest = of.cook({"sample.count=0"});
-    if (!fewest) return std::nullopt;
-    Made best = std::fabs(error(*fewest)) < std::fabs(error(automatic)) ? *fewest : automatic;
-    Made a = std::move(*fewest);
-    Made b = automatic;
-    for (int round = 0; round < most_rounds && std::fabs(error(best)) > near_enough * wanted; ++round) {
-        const double slope = (error(b) - error(a)) / (points(b) - points(a));
+    const auto is_nearer = [&](const Made& a, const Made& b) {
+        return std::fabs(tets_off(a, wanted)) < std::fabs(tets_off(b, wanted));
+    };
+    std::optional<Made> a = cook("0");
+    std::optional<Made> b = cook("auto");
+    if (!a || !b) return std::nullopt;
+    Made best = is_nearer(*a, *b) ? *a : *b;
+    for (int round = 0; round < most_rounds && std::fabs(tets_off(best, wanted)) > near_enough * wanted; ++round) {
+        const double slope = (tets_off(*b, wanted) - tets_off(*a, wanted)) / (points(*b) - points(*a));
         if (!(slope > 0)) break;
-        const double guess = points(b) - error(b) / slope;
+        const double guess = points(*b) - tets_off(*b, wanted) / slope;
         if (!(guess >= 1) || guess > 1e6) break;
-        std::optional<Made> next = of.cook({"sample.count=" + std::to_string(std::lround(guess))});
-        if (!next || next->interior_points == b.interior_points) break;
+        std::optional<Made> next = cook(std::to_string(std::lround(guess)));
+        if (!next || next->interior_points == b->interior_points) break;
         a = std::move(b);
-        b = std::move(*next);
-        if (std::fabs(error(b)) < std::fabs(error(best))) best = b;
+        b = std::move(next);
+        if (is_nearer(*b, best)) best = *b;
     }
     return best;
+}
+
+// Where even no point is too many, finish may not insert any of its own.
+std::optional<Made> matched(const MeshCase& of, double wanted) {
+    std::optional<Made> made = search(of, {}, wanted);
+    if (!made || tets_off(*made, wanted) <= still_matched * wanted) return made;
+    return search(of, {"finish.insert_below_deg=0"}, wanted);
 }
 
 std::optional<Made> run_peer(const MeshCase& of, const std::string& tool) {
@@ -71,7 +87,7 @@ std::vector<bench::Row> measure(const std::string& shell) {
     const std::optional<Made> hxt = run_peer(of, "hxt");
     const std::optional<Made>& like = hxt ? hxt : tetgen;
     add("crumple", ours);
-    if (ours && like) add("crumple_matched", matched(of, *ours, static_cast<double>(like->mesh.tets.size())));
+    if (ours && like) add("crumple_matched", matched(of, static_cast<double>(like->mesh.tets.size())));
     add("crumple_peel", of.cook({"finish.mode=peel"}));
     add("crumple_none", of.cook({"finish.mode=none"}));
     add("tetgen", tetgen);
