@@ -8,6 +8,7 @@
 #include "finish/improve.h"
 #include "finish/peel.h"
 #include "finish/repair.h"
+#include "finish/strip.h"
 #include "finish/surface_guard.h"
 #include "finish/work_mesh.h"
 
@@ -33,11 +34,12 @@ void repair(TetMesh& mesh, const Shell& shell, Report& report, const Context& co
 
 class Finisher {
 public:
-    Finisher(const Shell& shell, const TetMesh& mesh, const Params& params, Report& report, const Context& context)
+    Finisher(const SurfaceGuard& guard, const TetMesh& mesh, const Params& params, Report& report,
+             const Context& context)
         : params_(params),
           report_(report),
           context_(context),
-          guard_(shell, {params.fold_deg, params.surface_gap, params.surface_gap_diagonal}),
+          guard_(guard),
           work_(mesh),
           budget_(std::uint64_t{params.budget} * mesh.tets.size()),
           volume_(params.peel_volume * report.before.volume) {}
@@ -83,7 +85,7 @@ private:
     const Params& params_;
     Report& report_;
     const Context& context_;
-    SurfaceGuard guard_;
+    const SurfaceGuard& guard_;
     WorkMesh work_;
     std::uint64_t budget_;
     double volume_;  // that may still be peeled off
@@ -103,8 +105,10 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
         judge_result(shell, result.mesh, report, context);
         return result;
     }
+    const SurfaceGuard guard(shell, {params.fold_deg, params.surface_gap, params.surface_gap_diagonal});
+    report.stripped_tets = strip_flat_tets(mesh, guard, context);
     repair(mesh, shell, report, context);
-    Finisher finisher(shell, mesh, params, report, context);
+    Finisher finisher(guard, mesh, params, report, context);
     if (params.mode == Mode::full) {
         finisher.merge_crowded();
         finisher.peel_flattest();

@@ -96,6 +96,7 @@ void describe(Visitor& visit, P& p) {
 struct Report {
     quality::Summary before;
     quality::Summary after;
+    std::uint64_t stripped_tets = 0;
     Repair repair;
     std::uint64_t peeled_tets = 0;
     std::uint64_t restored_tets = 0;
@@ -116,6 +117,7 @@ template <class Visitor, FieldsOf<Report> P>
 void describe(Visitor& visit, P& p) {
     visit.field("before", p.before, "shapes as they came");
     visit.field("after", p.after, "shapes of the result");
+    visit.field("stripped_tets", p.stripped_tets, "tets without thickness taken off the surface");
     visit.field("repair", p.repair, "what made the surface a manifold");
     visit.field("peeled_tets", p.peeled_tets, "flat tets taken off the surface");
     visit.field("restored_tets", p.restored_tets, "of those, tets that lay outside the shell's own triangles");
