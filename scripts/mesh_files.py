@@ -106,9 +106,9 @@ def scale_color(share):
     return numpy.stack([numpy.interp(numpy.clip(share, 0, 1), stops, SCALE[:, k]) for k in range(3)], axis=-1)
 
 
-def read_hdf(path, field=None, limits=(0, 1)):
+def read_hdf(path, field=None, limits=(0, 1), below=None):
     """The tets of a bundle, a part each region, through the reader that ParaView uses. Coloured by region, or by a field
-    of the tets from limits[0] (bad) to limits[1] (good)."""
+    of the tets from limits[0] (bad) to limits[1] (good); only those `below` if that is given."""
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
     reader = vtk.vtkHDFReader()
@@ -120,14 +120,18 @@ def read_hdf(path, field=None, limits=(0, 1)):
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     locked = vtk_to_numpy(mesh.GetPointData().GetArray("locked")) != 0
     colors = PALETTE[region % len(PALETTE)]
+    shown = numpy.ones(len(tets), bool)
     if field:
         array = mesh.GetCellData().GetArray(field)
         if not array:
             raise SystemExit(f"{path}: the tets have no field '{field}'; cook with --keep-work")
-        colors = scale_color((vtk_to_numpy(array) - limits[0]) / (limits[1] - limits[0]))
+        values = vtk_to_numpy(array)
+        colors = scale_color((values - limits[0]) / (limits[1] - limits[0]))
+        if below is not None:
+            shown = values < below
     parts = []
     for number in numpy.unique(region):
-        own = region == number
+        own = (region == number) & shown
         parts.append(part_of(f"region_{number}", points, tets[own], colors[own]))
         parts[-1].locked = locked
     return parts

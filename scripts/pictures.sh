@@ -14,3 +14,11 @@ draw() { scripts/render_mesh.py "$@" --size 800x500 --zoom 1.1; }
 draw samples/car/car_shell.glb -o samples/pictures/shell.png --wire --locks --ghost body
 draw samples/car/car_visual.glb -o samples/pictures/visual.png --smooth
 draw build/sample/car.hdf -o samples/pictures/tets.png --wire --cut 'x>0.02' --cut-part region_0
+
+# Before and after the stage finish: what it leaves undone fails the gates, and is drawn all the same.
+for mode in none full; do
+    build/release/crumple cook samples/recipes/car.json -q --keep-work --set "finish.mode=$mode" --set gates.enforce=false \
+        -o "build/sample/car_finish_$mode.hdf" --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb
+    draw samples/car/car_shell.glb "build/sample/car_finish_$mode.hdf" -o "samples/pictures/quality_$mode.png" --wire \
+        --ghost car_shell --field min_dihedral_deg --range 0,40 --below 15
+done

@@ -40,6 +40,7 @@ def options():
     parser.add_argument("--cut-part", metavar="NAME", help="cut this part only, for example region_0 of a bundle")
     parser.add_argument("--field", help="colour the tets of a bundle by this field of them, red to blue")
     parser.add_argument("--range", default="0,1", metavar="BAD,GOOD", help="values of red and blue")
+    parser.add_argument("--below", type=float, help="draw only the tets whose field is below this")
     args = parser.parse_args()
     args.range = [float(value) for value in args.range.split(",")]
     if len(args.range) != 2 or args.range[0] == args.range[1]:
@@ -172,7 +173,7 @@ def legend(args):
     bar.SetNumberOfLabels(5)
     bar.SetLabelFormat("%.3g")
     bar.SetOrientationToHorizontal()
-    bar.SetPosition(0.3, 0.02)
+    bar.SetPosition(0.3, 0.88)
     bar.SetWidth(0.4)
     bar.SetHeight(0.1)
     bar.UnconstrainedFontSizeOn()
@@ -193,7 +194,7 @@ def scene(args, view, aspect):
     low, high = numpy.full(3, numpy.inf), numpy.full(3, -numpy.inf)
     for path in args.files:
         stem = os.path.splitext(os.path.basename(path))[0]
-        for part in mesh_files.read(path, field=args.field, limits=args.range):
+        for part in mesh_files.read(path, field=args.field, limits=args.range, below=args.below):
             low, high = numpy.minimum(low, part.points.min(axis=0)), numpy.maximum(high, part.points.max(axis=0))
             if part.name in args.hide or stem in args.hide:
                 continue
