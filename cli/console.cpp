@@ -35,12 +35,14 @@ void put_line(const ProgressLine& line) {
 
 pipeline::Observer json_observer() {
     pipeline::Observer observer;
-    observer.begin = [](const Stage& stage) { put_line({ProgressEvent::begin, std::string(stage.name)}); };
+    observer.begin = [](const Stage& stage) {
+        put_line({ProgressEvent::begin, std::string(stage.name), "", 0, {}, ""});
+    };
     observer.progress = [](const Stage& stage, std::string_view step, double fraction, const UsageMeter& meter) {
-        put_line({ProgressEvent::step, std::string(stage.name), std::string(step), fraction, meter.read()});
+        put_line({ProgressEvent::step, std::string(stage.name), std::string(step), fraction, meter.read(), ""});
     };
     observer.end = [](const Stage& stage, const StageRun& run, report::Described) {
-        put_line({ProgressEvent::end, std::string(stage.name), "", 1, run.usage});
+        put_line({ProgressEvent::end, std::string(stage.name), "", 1, run.usage, ""});
     };
     return observer;
 }
@@ -94,7 +96,7 @@ void Console::explain(std::string_view text) const {
 
 void Console::error(std::string_view message, std::string_view hint) const {
     const std::string line = report::shortened(message, report::longest_message);
-    if (is_for_programs()) return put_line({.event = ProgressEvent::error, .message = line});
+    if (is_for_programs()) return put_line({ProgressEvent::error, "", "", 0, {}, line});
     if (shown_progress() == ProgressStyle::tty) put(stderr, erase_line);
     put(stderr, (colors_talk_ ? "\033[31merror:\033[0m " : "error: ") + report::printable(line) + "\n");
     put(stderr, hint);

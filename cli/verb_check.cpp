@@ -4,7 +4,10 @@
 
 #include "cli/exit_codes.h"
 #include "cli/output_flags.h"
+#include "cli/output_paths.h"
 #include "cli/verbs.h"
+#include "core/error.h"
+#include "pipeline/baseline.h"
 #include "pipeline/check.h"
 #include "pipeline/compare.h"
 #include "pipeline/inspect.h"
@@ -20,18 +23,32 @@ struct FileFlags {
     std::vector<std::string> files;
     Format format = Format::text;
     bool lists_datasets = false;
+    std::string baseline;
+    bool updates_baseline = false;
 };
 
+pipeline::BaselineFile baseline_of(const FileFlags& flags) {
+    if (!flags.baseline.empty()) return pipeline::load_baseline(flags.baseline, flags.updates_baseline);
+    if (flags.updates_baseline) throw Error(ErrorKind::usage, "--update-baseline: say which: --baseline FILE");
+    return {};
+}
+
 int run_check(const FileFlags& flags, const Console& console) {
+    if (flags.updates_baseline && !flags.baseline.empty())
+        check_output_paths({{"--baseline", flags.baseline}}, flags.files);
+    const pipeline::BaselineFile baseline = baseline_of(flags);
+    const bool compares = !flags.baseline.empty() && !flags.updates_baseline;
     pipeline::CheckReport report;
     for (const std::string& path : flags.files) {
         report.files.push_back(pipeline::check_file(path));
-        const pipeline::FileCheck& file = report.files.back();
+        pipeline::FileCheck& file = report.files.back();
+        if (compares) pipeline::compare_with(baseline, file);
         report.exit_code = more_important(report.exit_code, file.exit_code);
         if (flags.format == Format::text)
             console.result(pipeline::check_text(file, console.colors_results(), console.is_verbose));
     }
     if (flags.format == Format::json) console.result(report::write_json(report::Described::of(report)));
+    if (flags.updates_baseline) pipeline::update_baseline(flags.baseline, baseline, report.files);
     return report.exit_code;
 }
 
@@ -67,8 +84,11 @@ void add_check(CLI::App& app, Session& session) {
     const auto flags = std::make_shared<FileFlags>();
     CLI::App* verb = add_verb(app, session, "check", "is a bundle whole, and is what it says true", run_check, flags);
     verb->add_option("BUNDLE", flags->files, "bundles or work files")->required();
+    verb->add_option("--baseline", flags->baseline, "compare with what the assets were at when last found good")
+        ->type_name("FILE");
+    verb->add_flag("--update-baseline", flags->updates_baseline, "write what the files that pass are at now there");
     verb->footer(
-        "Exit code 7: a file is damaged or breaks a rule. Findings about quality are told and pass.\n"
+        "Exit code 7: a file is damaged or breaks a rule; 4: a quality gate of its recipe is not met.\n"
         "Example: crumple check car.hdf bike.hdf --format json");
 }
 

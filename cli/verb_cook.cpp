@@ -109,10 +109,12 @@ std::string summary_text(const CookReport& report, const std::string& output, bo
         all.insert(all.end(), stage.findings.begin(), stage.findings.end());
     }
     rows.push_back(summary_row("all", report.usage, all));
-    std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0});
+    const std::size_t places = report.output.is_rejected ? max_places : 1;
+    std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0, places});
     if (report.determinism_jobs > 0) {
         text += "cooked again with " + counted(report.determinism_jobs, "thread", "threads") + ": the same bytes\n";
     }
+    if (report.output.is_rejected) return text;
     return text + report::printable(output) + ": " + report::size_text(report.output.bytes) +
            (report.output.is_unchanged ? ", unchanged\n" : "\n");
 }
@@ -127,14 +129,16 @@ int cook_now(const CookFlags& flags, const Recipe& recipe, CookRequest request, 
     } catch (const Error& error) {
         report.error = error.what();
         report.exit_code = exit_code_of(error.kind());
-        console.error(report.error);
     } catch (const std::bad_alloc&) {
         report.error = "out of memory";
         report.exit_code = exit_code_of(ErrorKind::budget);
-        console.error(report.error);
     }
     put_report(flags, report, console);
-    if (report.exit_code != exit_ok) return report.exit_code;
+    if (report.output.is_rejected) console.talk(summary_text(report, request.output, console.colors_talk()));
+    if (report.exit_code != exit_ok) {
+        console.error(report.error);
+        return report.exit_code;
+    }
     if (!flags.depfile.empty()) write_text(flags.depfile, depfile_text(request.output, inputs_of(flags, request)));
     console.talk(summary_text(report, request.output, console.colors_talk()));
     return exit_ok;

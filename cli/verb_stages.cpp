@@ -83,10 +83,11 @@ int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& c
     const auto& params = recipe.params[pipeline::stage_index(stage.name)];
     const pipeline::StageRun run =
         pipeline::run_stage(stage, params, work, thread_count(flags.output), observer_of(console));
-    const bool is_changed =
-        pipeline::write_if_changed(flags.output.path, pipeline::work_image(work, {true, flags.output.layout}));
+    const std::vector<std::byte> image = pipeline::work_image(work, {true, flags.output.layout});
     if (flags.output.format == Format::json) console.result(report::write_json(report::Described::of(run)));
     console.talk(report::findings_text(run.findings, {console.colors_talk(), 0}));
+    if (run.is_rejected()) pipeline::reject(run.findings, flags.output.path, image);
+    const bool is_changed = pipeline::write_if_changed(flags.output.path, image);
     console.talk(report::printable(flags.output.path) + ": " + std::string(stage.name) + " in " +
                  report::number_text(run.usage.wall_s) + " s, " + report::findings_summary(run.findings) +
                  (is_changed ? "\n" : ", unchanged\n"));

@@ -2,7 +2,6 @@
 #include "pipeline/check.h"
 
 #include "bundle/blob.h"
-#include "pipeline/export_mesh.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/printable.h"
@@ -32,15 +31,24 @@ std::string without_name(const std::string& message, const std::string& name) {
     return message.starts_with(name + ": ") ? message.substr(name.size() + 2) : message;
 }
 
-void measure_quality(const Workspace& work, FileCheck& check) {
-    if (!work.bundle && !work.tets) return;
-    Bundle bundle = visible_bundle(work);
-    TetMesh tets;
-    for (const Vec3f p : bundle.rest_positions) tets.positions.push_back({p.x, p.y, p.z});
-    tets.tets = std::move(bundle.tets);
-    tets.region = std::move(bundle.region);
-    check.quality = quality::summarize(tets);
-    for (Finding& finding : quality::find_problems(tets, check.quality)) check.findings.push_back(std::move(finding));
+// A work file that has not come to a bundle yet: shapes only, and nothing fails.
+void measure_tets(const TetMesh& tets, FileCheck& check) {
+    check.figures.shape = quality::summarize(tets);
+    check.findings = quality::find_problems(tets, check.figures.shape);
+}
+
+void ask_gates(const Workspace& work, FileCheck& check) {
+    GateCheck gates = check_gates(work);
+    check.figures = gates.report.figures;
+    check.findings = std::move(gates.report.findings);
+    check.shell = gates.shell;
+    if (report::has_severity(check.findings, Severity::error)) check.exit_code = gate_not_met;
+    if (gates.was_asked) return;
+    check.findings.push_back({"GATES_NOT_ASKED",
+                              Severity::info,
+                              "it was not held against quality gates when it was cooked, so none of them fails it now",
+                              1,
+                              {}});
 }
 
 }
@@ -59,8 +67,10 @@ FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
         return check;
     }
     const Workspace work = read_work_image(std::move(image), name);
-    measure_quality(work, check);
-    check.shell = shell_figures(work);
+    if (work.bundle)
+        ask_gates(work, check);
+    else if (work.tets)
+        measure_tets(*work.tets, check);
     for (const StageRecord& record : work.records) {
         std::vector<Finding> findings = findings_in(record);
         if (!findings.empty()) check.stages.push_back({record.name, std::move(findings)});
@@ -82,26 +92,41 @@ FileCheck check_file(const std::string& path) {
     }
 }
 
+namespace {
+
+std::string failure_text(const FileCheck& check, const std::string& name, bool has_color) {
+    const std::string verdict = name + (check.exit_code == damaged ? ": DAMAGED" : ": ERROR");
+    if (check.problems.empty()) return verdict + ": " + report::printable(without_name(check.error, check.path)) + "\n";
+    return verdict + "\n" + report::findings_text(check.problems, {has_color, 2, max_places});
+}
+
+std::string verdict_text(const FileCheck& check, const std::string& name) {
+    std::vector<Finding> all = check.findings;
+    // What the gates told then is told again by what they say now.
+    for (const StageFindings& stage : check.stages) {
+        if (stage.stage != "gates") all.insert(all.end(), stage.findings.begin(), stage.findings.end());
+    }
+    const char* verdict = check.exit_code == gate_not_met
+                              ? ": GATE NOT MET; every digest right, every invariant holds; "
+                              : ": ok, every digest right, every invariant holds; ";
+    return name + verdict + report::findings_summary(all) + "\n";
+}
+
+}
+
 std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) {
     const std::string name = report::printable(check.path);
     const std::size_t places = is_verbose ? max_places : 0;
-    if (check.exit_code != 0) {
-        const std::string verdict = name + (check.exit_code == damaged ? ": DAMAGED" : ": ERROR");
-        if (check.problems.empty())
-            return verdict + ": " + report::printable(without_name(check.error, check.path)) + "\n";
-        return verdict + "\n" + report::findings_text(check.problems, {has_color, 2, max_places});
-    }
-    std::vector<Finding> all = check.findings;
-    for (const StageFindings& stage : check.stages) all.insert(all.end(), stage.findings.begin(), stage.findings.end());
-    std::string text =
-        name + ": ok, every digest right, every invariant holds; " + report::findings_summary(all) + "\n";
-    text += report::findings_text(check.findings, {has_color, 2, places});
+    if (check.exit_code != 0 && check.exit_code != gate_not_met) return failure_text(check, name, has_color);
+    std::string text = verdict_text(check, name);
+    const std::size_t gate_places = check.exit_code == gate_not_met ? max_places : places;
+    text += report::findings_text(check.findings, {has_color, 2, gate_places});
     for (const StageFindings& stage : check.stages) {
+        if (stage.stage == "gates") continue;
         text += "  while cooking, " + report::printable(stage.stage) + ":\n" +
                 report::findings_text(stage.findings, {has_color, 4, places});
     }
-    if (is_verbose) text += "  shell\n" + report::report_text(report::Described::of(check.shell), {.indent = 4});
-    if (is_verbose) text += "  quality\n" + report::report_text(report::Described::of(check.quality), {.indent = 4});
+    if (is_verbose) text += "  figures\n" + report::report_text(report::Described::of(check.figures), {.indent = 4});
     return text;
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/finding.h"
-#include "pipeline/shell_figures.h"
+#include "pipeline/bundle_gates.h"
 #include "pipeline/workspace.h"
-#include "quality/quality.h"
+#include "quality/figures.h"
 #include "report/described.h"
 
 namespace crumple::pipeline {
@@ -30,9 +30,9 @@ struct FileCheck {
     std::string error;              // why it could not be checked to the end
     std::string digest;             // of the content, whatever the layout
     std::vector<Finding> problems;  // digests that are wrong, invariants that do not hold
-    std::vector<Finding> findings;  // of the quality, measured on the file itself
-    quality::Summary quality;
-    ShellFigures shell;
+    std::vector<Finding> findings;  // gates that are not met, measured on the file itself
+    quality::Figures figures;
+    Source shell = Source::none;
     std::vector<StageFindings> stages;  // stored when it was cooked: what needs the shell is told by these
     std::vector<StageRecord> record;
 };
@@ -40,19 +40,21 @@ struct FileCheck {
 template <class Visitor, FieldsOf<FileCheck> C>
 void describe(Visitor& visit, C& c) {
     visit.field("path", c.path, "as given");
-    visit.field("exit_code", c.exit_code, "0: whole and true; 7: damaged or untrue; 2: cannot be opened");
+    visit.field("exit_code", c.exit_code,
+                "0: whole, true and good; 4: a quality gate is not met; 7: damaged or untrue; 2: cannot be opened");
     visit.field("error", c.error, "why it could not be checked to the end");
     visit.field("digest", c.digest, "of all datasets and attributes: equal for equal content whatever the layout");
     visit.field("problems", c.problems, "digests that are wrong, invariants that do not hold");
-    visit.field("findings", c.findings, "of the quality, measured on the file itself");
-    visit.field("quality", c.quality, "of the tets");
-    visit.field("shell", c.shell, "how well the tets keep to the shell");
+    visit.field("findings", c.findings, "quality gates that are not met");
+    visit.field("figures", c.figures, "what the gates were asked of; of a work file without bundle only the shapes");
+    visit.field("shell", c.shell,
+                "the figures that need the shell: measured on the file's own, or stored when it was cooked");
     visit.field("stages", c.stages, "findings stored when it was cooked");
     visit.field("record", c.record, "reports stored when it was cooked");
 }
 
 struct CheckReport {
-    std::string schema = "crumple/check/1";
+    std::string schema = "crumple/check/2";
     int exit_code = 0;
     std::vector<FileCheck> files;
 };
@@ -64,7 +66,10 @@ void describe(Visitor& visit, R& r) {
     visit.field("files", r.files, "in the order given");
 }
 
-// Throws Error(bad_input) for a damaged image. A problem means exit code 7, a finding does not.
+inline constexpr int gate_not_met = 4;
+
+// Throws Error(bad_input) for a damaged image. A problem means exit code 7, a gate that fails 4: the gates of the
+// recipe it was cooked with, so that what `cook` accepted passes.
 [[nodiscard]] FileCheck check_image(std::vector<std::byte> image, const std::string& name);
 
 // In a child process with limits; never throws: what went wrong is in the answer.

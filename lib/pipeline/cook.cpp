@@ -78,6 +78,11 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
     report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, peak_of(report.stages));
     enter(report, request, "write");
     if (request.may_finish) request.may_finish(report.usage.peak_memory_mb);
+    if (report.stages.back().is_rejected()) {
+        report.output.is_rejected = true;
+        report.stopped_in = report.stages.back().name;
+        reject(report.stages.back().findings, request.output, image);
+    }
     report.output.is_unchanged = !write_if_changed(request.output, image);
     report.stopped_in.clear();
 }

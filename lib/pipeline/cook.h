@@ -30,6 +30,7 @@ struct OutputReport {
     std::uint64_t bytes = 0;
     std::string sha256;
     bool is_unchanged = false;
+    bool is_rejected = false;
 };
 
 template <class Visitor, FieldsOf<OutputReport> R>
@@ -37,6 +38,7 @@ void describe(Visitor& visit, R& r) {
     visit.field("bytes", r.bytes, "size of the file");
     visit.field("sha256", r.sha256, "of the file's bytes");
     visit.field("is_unchanged", r.is_unchanged, "the file held the same bytes before and was not touched");
+    visit.field("is_rejected", r.is_rejected, "a quality gate failed: it was written as <output>.rejected.hdf instead");
 }
 
 struct CookReport {
@@ -74,7 +76,8 @@ void describe(Visitor& visit, R& r) {
     visit.field("output", r.output, "the file");
 }
 
-// Fills the report as it goes, so that a cook that throws leaves what is known in it.
+// Fills the report as it goes, so that a cook that throws leaves what is known in it. A result that fails a gate is put
+// beside the output, which stays as it was; then throws Error(quality).
 void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, const Observer& observer = {});
 
 // What a cook would do, without doing it.

@@ -3,6 +3,7 @@
 
 #include "bundle/blob.h"
 #include "bundle/validate.h"
+#include "pipeline/bundle_gates.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
@@ -60,6 +61,10 @@ InspectReport inspect_image(std::vector<std::byte> image, const std::string& nam
             throw Error(ErrorKind::bad_input, name + ": the bundle is not valid; see crumple check");
         report.bundle = summarize(*work.bundle);
     }
+    if (const auto told = told_gates(work.records)) {
+        report.has_figures = true;
+        report.figures = told->report.figures;
+    }
     report.record = cook_record(work);
     return report;
 }
@@ -79,6 +84,8 @@ std::string inspect_text(const InspectReport& report, bool lists_datasets) {
     }
     if (report.bundle.nodes > 0)
         text += "bundle\n" + report::report_text(report::Described::of(report.bundle), {.indent = 2});
+    if (report.has_figures)
+        text += "quality\n" + report::report_text(report::Described::of(report.figures), {.indent = 2});
     if (!lists_datasets) return text;
     std::vector<std::vector<std::string>> rows{{"dataset", "type", "shape"}};
     for (const DatasetReport& dataset : report.datasets)

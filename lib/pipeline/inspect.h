@@ -8,6 +8,7 @@
 #include "bundle/summary.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/workspace.h"
+#include "quality/figures.h"
 
 namespace crumple::pipeline {
 
@@ -30,6 +31,8 @@ struct InspectReport {
     std::string sha256;
     std::vector<Group> groups;
     BundleSummary bundle;  // zeros where there is none
+    bool has_figures = false;
+    quality::Figures figures;
     CookRecord record;
     std::vector<DatasetReport> datasets;
 };
@@ -41,6 +44,8 @@ void describe(Visitor& visit, R& r) {
     visit.field("sha256", r.sha256, "of the file's bytes");
     visit.field("groups", r.groups, "parts the file holds");
     visit.field("bundle", r.bundle, "what a game loads; zeros where there is no bundle");
+    visit.field("has_figures", r.has_figures, "the file has been through the gates");
+    visit.field("figures", r.figures, "its quality as measured then; zeros where it was not");
     visit.field("record", r.record, "how it came to be");
     visit.field("datasets", r.datasets, "every array of the file");
 }

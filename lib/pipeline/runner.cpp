@@ -62,6 +62,12 @@ void keep_record(const report::OwnedDescribed& params, const StageRun& run, Work
 
 }
 
+bool StageRun::is_rejected() const {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.severity == Severity::error && finding.code.starts_with("GATE_");
+    });
+}
+
 StageRun run_stage(const Stage& stage, const report::OwnedDescribed& params, Workspace& work, unsigned jobs,
                    const Observer& observer) {
     require_inputs(stage, work);

@@ -21,6 +21,8 @@ struct StageRun {
     Usage usage;
     report::RawJson report;
     std::vector<Finding> findings;
+    // A gate failed: what came out is to be looked at, not used.
+    [[nodiscard]] bool is_rejected() const;
 };
 
 template <class Visitor, FieldsOf<StageRun> R>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/schemas.h"
 
+#include "pipeline/baseline.h"
 #include "pipeline/check.h"
 #include "pipeline/compare.h"
 #include "pipeline/cook.h"
@@ -23,6 +24,13 @@ SchemaFile output_schema(const SchemaTitle& title) {
             report::write_schema(report::Described::of(example), title, SchemaUse::output)};
 }
 
+template <class Input>
+SchemaFile input_schema(const SchemaTitle& title) {
+    const Input example;
+    return {std::string(title.id) + ".schema.json",
+            report::write_schema(report::Described::of(example), title, SchemaUse::input)};
+}
+
 SchemaFile stage_schema(const Stage& stage) {
     const std::string id = "stage_" + std::string(stage.name);
     const report::OwnedDescribed example = stage.make_report();
@@ -42,6 +50,7 @@ std::vector<SchemaFile> all_schemas() {
         output_schema<CompareReport>({"compare", "compare", "crumple compare --format json"}),
         output_schema<ProgressLine>({"progress", "line of progress", "each line of --progress json"}),
         output_schema<VersionInfo>({"version", "version", "crumple --version --json"}),
+        input_schema<BaselineFile>({"baseline", "baseline", "crumple check --baseline FILE"}),
         output_schema<Finding>({"finding", "finding", "what every list of findings holds"}),
     };
     for (const Stage& stage : stage_table()) files.push_back(stage_schema(stage));

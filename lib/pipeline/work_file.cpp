@@ -6,6 +6,7 @@
 #include <span>
 
 #include "bundle/blob.h"
+#include "core/counted.h"
 #include "geometry/predicates.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/quality_view.h"
@@ -127,6 +128,29 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
             throw Error(ErrorKind::usage, path + ": the output would replace an input");
         }
     }
+}
+
+std::string rejected_path(const std::string& output) {
+    std::filesystem::path path(output);
+    return path.replace_extension(".rejected.hdf").string();
+}
+
+void reject(const std::vector<Finding>& findings, const std::string& output, const std::vector<std::byte>& image) {
+    std::string gates;
+    std::uint64_t count = 0;
+    for (const Finding& finding : findings) {
+        if (finding.severity != Severity::error) continue;
+        gates += (count++ > 0 ? ", " : "") + finding.code;
+    }
+    std::string message = output + ": " + counted(count, "quality gate is", "quality gates are") + " not met (" +
+                          gates + "); the file stays as it was, ";
+    try {
+        (void)write_if_changed(rejected_path(output), image);
+        message += "look at the result in " + rejected_path(output);
+    } catch (const Error& error) {
+        message += std::string("and the result could not be kept: ") + error.what();
+    }
+    throw Error(ErrorKind::quality, message);
 }
 
 bool write_if_changed(const std::string& path, const std::vector<std::byte>& image) {

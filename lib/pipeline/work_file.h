@@ -20,9 +20,9 @@ struct FileContents {
 // The bytes of the file; equal for equal workspaces. Sources are not part of it.
 [[nodiscard]] std::vector<std::byte> work_image(const Workspace& workspace, const FileContents& contents);
 
-// Every part the file has, or the bundle of a blob (bundle/blob.h), every index and size checked. Throws Error(file) when it cannot be read, Error(bad_input)
-// when it is no file of ours, is damaged or holds what no stage would have written.
-// REQUIRES: no other thread of this process is running: the file is tried in a limited child process first.
+// Every part the file has, or the bundle of a blob (bundle/blob.h), every index and size checked. Throws Error(file)
+// when it cannot be read, Error(bad_input) when it is no file of ours, is damaged or holds what no stage would have
+// written. REQUIRES: no other thread of this process is running: the file is tried in a limited child process first.
 [[nodiscard]] Workspace read_work_file(const std::string& path);
 
 // The same without a child process, for those who are in one.
@@ -30,6 +30,13 @@ struct FileContents {
 
 // A path that ends in .hdf and can be written, and is none of the inputs. Throws Error(usage) or Error(file).
 void check_output_path(const std::string& path, const std::vector<std::string>& inputs);
+
+// "car.hdf" -> "car.rejected.hdf": where a result goes that fails a gate.
+[[nodiscard]] std::string rejected_path(const std::string& output);
+
+// Puts the image there, the output stays as it was. Throws Error(quality) that names the gates and both files.
+[[noreturn]] void reject(const std::vector<Finding>& findings, const std::string& output,
+                         const std::vector<std::byte>& image);
 
 // Returns false, and touches nothing, when the file holds these bytes already.
 bool write_if_changed(const std::string& path, const std::vector<std::byte>& image);

@@ -48,7 +48,7 @@ def cook(shell, visual, recipe, folder):
     bundle = stage_of(report, "bake")["bundle"]
     row["check"] = program.run("check", output).returncode
     row["nodes"], row["tets"] = bundle["nodes"], bundle["tets"]
-    row["volume error %"] = round(100 * stage_of(report, "cull")["volume_error"], 3)
+    row["volume error %"] = round(100 * stage_of(report, "gates")["figures"]["fidelity"]["volume_error"], 3)
     row["outside"] = sum(visual["outside"] for visual in bundle["visuals"])
     row["cpu s"] = round(report["usage"]["cpu_s"], 3)
     row["wall s"] = round(report["usage"]["wall_s"], 3)

@@ -26,31 +26,41 @@ class Check(program.Case):
         process = program.run("check", *paths, "--format", "json", **options)
         return process.returncode, json.loads(process.stdout)
 
-    def test_findings_of_quality_pass(self):
+    def test_what_was_cooked_passes_with_its_figures(self):
         code, report = self.check(self.output)
         self.assertEqual((code, report["exit_code"], len(report["files"])), (0, 0, 1))
         self.assertEqual(report["files"][0]["problems"], [])
-        self.assertEqual(report["files"][0]["quality"]["inverted"], 0)
-        self.assertEqual([stage["name"] for stage in report["files"][0]["record"]],
-                         ["import", "sample", "delaunay", "relax", "recover", "cull", "finish", "bind", "bake"])
+        self.assertEqual(report["files"][0]["figures"]["shape"]["inverted"], 0)
+        self.assertGreater(report["files"][0]["figures"]["cost"]["pcg_stiff"], 0)
+        self.assertEqual([stage["name"] for stage in report["files"][0]["record"]], program.stages())
 
     def test_figures_that_need_the_shell_come_from_the_stored_report(self):
         _, report = self.check(self.output)
         stages = {stage["name"]: stage["report"] for stage in report["files"][0]["record"]}
         self.assertGreater(stages["cull"]["shell_volume"], 0)
         self.assertIn("findings", stages["import"])
-        shell = report["files"][0]["shell"]
-        self.assertEqual(shell["source"], "stored")
-        self.assertEqual(shell["volume_error"], stages["cull"]["volume_error"])
+        self.assertEqual(report["files"][0]["shell"], "stored")
+        self.assertEqual(report["files"][0]["figures"], stages["gates"]["figures"])
 
     def test_figures_that_need_the_shell_are_measured_where_it_is(self):
         _, stored = self.check(self.output)
-        self.ok(self.cook("--keep-work", "--set", "cull.hausdorff_samples=4000"))
+        self.ok(self.cook("--keep-work"))
         _, measured = self.check(self.output)
-        first, second = stored["files"][0]["shell"], measured["files"][0]["shell"]
-        self.assertEqual(second["source"], "measured")
-        self.assertAlmostEqual(first["volume_error"], second["volume_error"], places=9)
-        self.assertAlmostEqual(first["hausdorff_out"], second["hausdorff_out"], places=2)
+        self.assertEqual(measured["files"][0]["shell"], "measured")
+        self.assertEqual(measured["files"][0]["figures"], stored["files"][0]["figures"])
+        self.assertEqual(measured["files"][0]["findings"], stored["files"][0]["findings"])
+
+    def test_a_work_file_that_was_never_held_against_gates_passes_and_says_so(self):
+        self.ok(self.cook("--keep-work"))
+        again = self.path("again.hdf")
+        self.ok(program.run("bake", self.output, "-o", again))
+        code, report = self.check(again)
+        self.assertEqual(code, 0)
+        self.assertIn("GATES_NOT_ASKED", [finding["code"] for finding in report["files"][0]["findings"]])
+        judged = self.path("judged.hdf")
+        self.ok(program.run("gates", again, "-o", judged, "--enforce", "false"))
+        code, report = self.check(judged)
+        self.assertNotIn("GATES_NOT_ASKED", [finding["code"] for finding in report["files"][0]["findings"]])
 
     def test_a_file_that_is_not_there_is_exit_2(self):
         code, report = self.check(self.path("none.hdf"))

@@ -5,7 +5,7 @@ import unittest
 
 import program
 
-STAGES = ["import", "sample", "delaunay", "relax", "recover", "cull", "finish", "bind", "bake"]
+STAGES = program.stages()
 
 
 class Chain(program.Case):
@@ -16,7 +16,7 @@ class Chain(program.Case):
             words = [source, *words]
         return program.run(name, *words, "-o", output)
 
-    def chain(self, last="bake", **words):
+    def chain(self, last=STAGES[-1], **words):
         """The work file after each stage up to the last."""
         source = None
         for name in STAGES[:STAGES.index(last) + 1]:

@@ -9,7 +9,7 @@ import unittest
 import program
 
 VERBS = ["cook", "check", "inspect", "compare", "export", "dev", "import", "sample", "delaunay", "relax", "recover", "cull",
-         "finish", "bind", "bake"]
+         "finish", "bind", "bake", "gates"]
 
 
 class Usage(program.Case):

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/baseline.h"
+
+#include <filesystem>
+#include <span>
+
+#include "pipeline/bundle_gates.h"
+#include "report/json_reader.h"
+#include "report/json_writer.h"
+#include "report/text_view.h"
+#include "store/read_file.h"
+#include "store/write_file.h"
+
+namespace crumple::pipeline {
+
+namespace {
+
+std::string asset_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+bool has_figures(const FileCheck& check) { return check.figures.shape.tets > 0; }
+
+quality::GateParams limits_of(const FileCheck& check) {
+    const auto told = told_gates(check.record);
+    return told ? told->params.limits : quality::GateParams();
+}
+
+}
+
+BaselineFile load_baseline(const std::string& path, bool may_be_missing) {
+    BaselineFile baseline;
+    if (may_be_missing && !std::filesystem::exists(path)) return baseline;
+    const std::vector<std::byte> bytes = store::read_file(path);
+    report::read_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path,
+                      report::Described::of(baseline));
+    if (baseline.schema != BaselineFile().schema)
+        throw Error(ErrorKind::usage, path + ": schema: '" + baseline.schema + "' is not " + BaselineFile().schema);
+    return baseline;
+}
+
+void compare_with(const BaselineFile& baseline, FileCheck& check) {
+    if (!has_figures(check)) return;
+    const auto known = baseline.assets.find(asset_of(check.path));
+    if (known == baseline.assets.end()) {
+        check.findings.push_back({"BASELINE_MISSING",
+                                  Severity::warning,
+                                  "the baseline does not know '" + asset_of(check.path) +
+                                      "'; run crumple check --update-baseline once it is good",
+                                  1,
+                                  {}});
+        return;
+    }
+    for (Finding& finding : quality::judge_against(known->second, check.figures, limits_of(check)))
+        check.findings.push_back(std::move(finding));
+    if (check.exit_code == 0 && report::has_severity(check.findings, Severity::error)) check.exit_code = gate_not_met;
+}
+
+void update_baseline(const std::string& path, BaselineFile baseline, const std::vector<FileCheck>& checks) {
+    for (const FileCheck& check : checks) {
+        if (check.exit_code == 0 && has_figures(check))
+            baseline.assets[asset_of(check.path)] = quality::baseline_of(check.figures);
+    }
+    const std::string json = report::write_json(report::Described::of(baseline));
+    store::write_file(path, std::as_bytes(std::span(json)));
+}
+
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/bundle_gates.h"
+
+#include <algorithm>
+
+#include "report/json_reader.h"
+
+namespace crumple::pipeline {
+
+namespace {
+
+const StageRecord* find_record(const std::vector<StageRecord>& records, std::string_view stage) {
+    const auto record = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.name == stage; });
+    return record == records.end() ? nullptr : &*record;
+}
+
+double number_in(const report::Json& json, const char* key) {
+    const report::Json* value = json.find(key);
+    return value ? value->number() : 0;
+}
+
+gates::Solid solid_of(const std::vector<StageRecord>& records) {
+    const StageRecord* cull = find_record(records, "cull");
+    if (!cull) return {};
+    const report::Json json = report::parse_json(cull->report.text, "report of cull", {.kind = ErrorKind::bad_input});
+    return {number_in(json, "shell_volume"), number_in(json, "leak_share"),
+            static_cast<std::uint64_t>(std::max(0.0, number_in(json, "shell_pieces")))};
+}
+
+}
+
+gates::Report judge_cooked(const Workspace& work, const gates::Params& params, const Context& context) {
+    return gates::judge_bundle(*work.bundle, *work.asset, solid_of(work.records), params, context);
+}
+
+std::optional<ToldGates> told_gates(const std::vector<StageRecord>& records) {
+    const StageRecord* record = find_record(records, "gates");
+    if (!record || record->version != gates::version) return std::nullopt;
+    const report::ReadRules rules{.kind = ErrorKind::bad_input, .allows_null = true};
+    ToldGates told;
+    report::read_json(record->params.text, "parameters of gates", report::Described::of(told.params), rules);
+    report::read_json(record->report.text, "report of gates", report::Described::of(told.report), rules);
+    return told;
+}
+
+GateCheck check_gates(const Workspace& work) {
+    GateCheck check;
+    std::optional<ToldGates> told = told_gates(work.records);
+    check.was_asked = told.has_value();
+    if (told) {
+        check.params = told->params;
+    } else {
+        check.params.enforce = false;
+    }
+    if (work.asset) {
+        check.shell = Source::measured;
+        check.report = judge_cooked(work, check.params, {});
+    } else {
+        check.shell = told ? Source::stored : Source::none;
+        check.report = gates::judge_again(*work.bundle, told ? told->report : gates::Report(), check.params);
+    }
+    return check;
+}
+
+}

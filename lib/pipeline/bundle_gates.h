@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gates asked of what a workspace holds: by the stage `gates` when it is cooked, and again by `check`.
+#pragma once
+#include "gates/gates.h"
+#include "pipeline/workspace.h"
+
+namespace crumple::pipeline {
+
+// REQUIRES: the workspace has asset and bundle.
+[[nodiscard]] gates::Report judge_cooked(const Workspace& workspace, const gates::Params& params,
+                                         const Context& context);
+
+enum class Source { none, stored, measured };
+inline constexpr EnumName<Source> source_names[] = {
+    {Source::none, "none"}, {Source::stored, "stored"}, {Source::measured, "measured"}};
+constexpr std::span<const EnumName<Source>> enum_names(Source) { return source_names; }
+
+struct GateCheck {
+    Source shell = Source::none;  // of what needs the shell
+    bool was_asked = false;       // the file has been through the gates; else none of them fails it
+    gates::Params params;         // as the file was cooked
+    gates::Report report;
+};
+
+// REQUIRES: the workspace has a bundle, and it is valid.
+[[nodiscard]] GateCheck check_gates(const Workspace& workspace);
+
+// What the stage told when the file was cooked; null when it did not run, or in another version.
+struct ToldGates {
+    gates::Params params;
+    gates::Report report;
+};
+[[nodiscard]] std::optional<ToldGates> told_gates(const std::vector<StageRecord>& records);
+
+}
