@@ -72,6 +72,21 @@ Vec3 piercing_place(const TetComplex& complex, const Triangle& facet, const Edge
     return p + (complex.position(edge[1]) - p) * std::clamp(crossing_share(complex, edge, face), 0.0, 1.0);
 }
 
+bool is_covered(const TetComplex& complex, const Triangle& facet) {
+    FacetObstacles obstacles;
+    obstacles_of_any_facet(complex, facet, obstacles);
+    return obstacles.edges.empty() && obstacles.node == none;
+}
+
+bool is_covered(const TetComplex& complex, const Edge& segment, std::span<const Index> apexes) {
+    std::vector<Crossing> crossings;
+    crossings_of_segment(complex, segment[0], segment[1], crossings);
+    return std::all_of(crossings.begin(), crossings.end(), [](const Crossing& c) { return c.count == 2; }) &&
+           std::all_of(apexes.begin(), apexes.end(), [&](Index apex) {
+               return is_covered(complex, Triangle{segment[0], segment[1], apex});
+           });
+}
+
 double deviation_of_segment(const TetComplex& complex, const Edge& segment, std::span<const Index> apexes) {
     const Vec3 a = complex.position(segment[0]);
     const Vec3 b = complex.position(segment[1]);

@@ -15,6 +15,10 @@ namespace crumple::recover {
 // Where an edge goes through a facet.
 [[nodiscard]] Vec3 piercing_place(const TetComplex& complex, const Triangle& facet, const Edge& edge);
 
+// Exact: whether faces of the tets lie along the whole segment and cover its facets, and the shape lacks nothing.
+[[nodiscard]] bool is_covered(const TetComplex& complex, const Edge& segment, std::span<const Index> apexes);
+[[nodiscard]] bool is_covered(const TetComplex& complex, const Triangle& facet);
+
 // How far the tets' own edges and faces run from a missing segment, metres: what it passes through, measured by the
 // nearer side, from the planes of its two facets. 0: it runs along faces. Infinite at a fold of the shell that is to be
 // seen and where other than two facets meet: there is no plane to stay in.

@@ -24,25 +24,24 @@ constexpr std::span<const EnumName<Mode>> enum_names(Mode) { return mode_names; 
 
 struct Params {
     Mode mode = Mode::automatic;
-    std::uint32_t depth = 3;
+    std::uint32_t depth = 2;
     double max_steiner = 0.1;
     double negligible = 0.02;
 };
 
 template <class Visitor, FieldsOf<Params> P>
 void describe(Visitor& visit, P& p) {
-    visit.field(
-        "mode", p.mode,
-        "off: leave the tets as they are; auto: put no node where a missing edge changes next to nothing of the "
-        "shape; always: bring all back");
+    visit.field("mode", p.mode,
+                "off: leave the tets as they are; auto: bring back what changes the shape by more than `negligible`; "
+                "always: bring all back that faces of the tets do not cover exactly");
     visit.field("depth", p.depth, Range{0, 6}, "edges that may be exchanged to make room for exchanging another one");
-    visit.field(
-        "max_steiner", p.max_steiner, Range{0, 10},
-        "nodes put on the shell's edges where nothing else helps, at most, in shell vertices; most leave again");
+    visit.field("max_steiner", p.max_steiner, Range{0, 10},
+                "nodes that may be on the shell's edges and triangles at one time where nothing else helps, in shell "
+                "vertices; nearly all leave again");
     visit.field(
         "negligible", p.negligible, Range{0, 0.1},
         "auto: a missing edge of less than 5 degrees fold is no loss when the tets' own faces pass this near to it, "
-        "in lengths of it (and nearer than 0.3 % of the shell's diagonal)");
+        "in lengths of it (and nearer than 0.1 % of the shell's diagonal)");
 }
 
 // Of the shell's edges and triangles, copies counted once.

@@ -13,8 +13,15 @@ namespace crumple::recover {
 
 namespace {
 
+// Rounds of splitting, freeing and taking back use the same allowance again, but not for ever.
+constexpr std::size_t tries_per_split = 10;
+
+// What is freed may push aside what was negligible or half free before, so all are looked at again, but two that cannot
+// both be free would take turns for ever.
+constexpr int max_quiet_rounds = 4;
+
 // Of the diagonal: what an artist's eye and a solver's shape both miss.
-constexpr double negligible_of_diagonal = 3e-3;
+constexpr double negligible_of_diagonal = 1e-3;
 
 // Of the candidates those that hold the place in their inside or on their surface.
 std::vector<Index> holders_of(const TetComplex& complex, const std::vector<Index>& candidates, Vec3 place) {
@@ -54,7 +61,7 @@ Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& 
       liberator_(complex, constraints),
       node_count_(static_cast<Index>(complex.positions().size())),
       largest_loss_(bounding_box(complex.positions()).diagonal() * negligible_of_diagonal),
-      splits_left_(0) {
+      max_splits_(0) {
     // A handful for shells of few vertices, where a tenth is none.
     std::size_t nodes = 0;
     std::vector<std::uint8_t> is_on_shell(node_count_, 0);
@@ -62,7 +69,7 @@ Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& 
         for (const Index v : e) nodes += !std::exchange(is_on_shell[v], 1);
     }
     if (params.max_steiner > 0)
-        splits_left_ = static_cast<std::size_t>(params.max_steiner * static_cast<double>(nodes)) + 4;
+        max_splits_ = static_cast<std::size_t>(params.max_steiner * static_cast<double>(nodes)) + 4;
 }
 
 std::vector<Edge> Recovery::missing_segments() const {
@@ -83,7 +90,8 @@ std::vector<Triangle> Recovery::missing_facets() const {
 
 bool Recovery::matters(const Edge& segment) const {
     const std::vector<Index>& apexes = constraints_.apexes(segment);
-    if (params_.mode == Mode::always || is_part(segment) || is_part(apexes)) return true;
+    if (is_part(segment) || is_part(apexes)) return true;
+    if (params_.mode == Mode::always) return !is_covered(complex_, segment, apexes);
     const double loss = std::min(largest_loss_, params_.negligible * length_of(segment[0], segment[1]));
     return deviation_of_segment(complex_, segment, apexes) > loss ||
            std::any_of(apexes.begin(), apexes.end(),
@@ -91,12 +99,13 @@ bool Recovery::matters(const Edge& segment) const {
 }
 
 bool Recovery::matters(const Triangle& facet) const {
-    if (params_.mode == Mode::always || is_part(facet)) return true;
+    if (is_part(facet)) return true;
+    if (params_.mode == Mode::always) return !is_covered(complex_, facet);
     return deviation_of_facet(complex_, facet) > std::min(largest_loss_, params_.negligible * size_of(facet));
 }
 
 // Short ones first: they are the least in the way of others.
-bool Recovery::free_segments(int depth) {
+bool Recovery::free_segments(std::uint32_t depth) {
     std::vector<Edge> todo = missing_segments();
     std::stable_sort(todo.begin(), todo.end(),
                      [&](const Edge& a, const Edge& b) { return length_of(a[0], a[1]) < length_of(b[0], b[1]); });
@@ -104,26 +113,33 @@ bool Recovery::free_segments(int depth) {
     for (const Edge& e : todo) {
         context_.stop_if_cancelled();
         if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
-        const Outcome outcome = liberator_.free_segment(e[0], e[1], depth);
+        if (blocked_segments_.contains(e)) continue;
+        const Outcome outcome = liberator_.free_segment(e[0], e[1], static_cast<int>(depth));
+        if (outcome == Outcome::blocked) blocked_segments_.insert(e);
         is_stuck |= outcome != Outcome::there;
         if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
     }
     return is_stuck;
 }
 
-bool Recovery::free_facets(int depth) {
+bool Recovery::free_facets(std::uint32_t depth) {
     std::vector<Triangle> todo = missing_facets();
     std::stable_sort(todo.begin(), todo.end(),
                      [&](const Triangle& a, const Triangle& b) { return size_of(a) < size_of(b); });
     bool is_stuck = false;
     for (const Triangle& t : todo) {
         context_.stop_if_cancelled();
-        if (has_face(t) || !has_edges(t) || !matters(t)) continue;
-        const Outcome outcome = liberator_.free_facet(t, depth);
+        if (has_face(t) || !has_edges(t) || !matters(t) || blocked_facets_.contains(t)) continue;
+        const Outcome outcome = liberator_.free_facet(t, static_cast<int>(depth));
+        if (outcome == Outcome::blocked) blocked_facets_.insert(t);
         is_stuck |= outcome != Outcome::there;
         if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
     }
     return is_stuck;
+}
+
+bool Recovery::may_split() const {
+    return splits_.size() < max_splits_ && splits_tried_ < tries_per_split * max_splits_;
 }
 
 bool Recovery::split_at_crossing(const Edge& segment) {
@@ -157,12 +173,11 @@ bool Recovery::split_at_crossing(const Edge& segment) {
 bool Recovery::split_stuck_segments() {
     bool has_split = false;
     for (const Edge& e : missing_segments()) {
-        if (splits_left_ == 0) break;
+        if (!may_split()) break;
         if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
-        const Outcome outcome = liberator_.free_segment(e[0], e[1], static_cast<int>(params_.depth));
+        const Outcome outcome = liberator_.free_segment(e[0], e[1], 0);
         if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
         if (outcome != Outcome::stuck || !split_at_crossing(e)) continue;
-        --splits_left_;
         ++splits_tried_;
         has_split = true;
     }
@@ -198,42 +213,49 @@ bool Recovery::split_at_obstacle(const Triangle& facet) {
 bool Recovery::split_stuck_facets() {
     bool has_split = false;
     for (const Triangle& t : missing_facets()) {
-        if (splits_left_ == 0) break;
+        if (!may_split()) break;
         if (has_face(t) || !has_edges(t) || !matters(t)) continue;
-        const Outcome outcome = liberator_.free_facet(t, static_cast<int>(params_.depth));
+        const Outcome outcome = liberator_.free_facet(t, 0);
         if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
         if (outcome != Outcome::stuck || !split_at_obstacle(t)) continue;
-        --splits_left_;
         ++splits_tried_;
         has_split = true;
     }
     return has_split;
 }
 
-void Recovery::undo_splits() {
+bool Recovery::undo_splits() {
+    const std::size_t before = splits_.size();
     std::vector<Split> staying;
     while (!splits_.empty()) {
-        if (undo_split(complex_, constraints_, splits_.back()) == Undoing::stuck) staying.push_back(splits_.back());
+        if (!undo_split(complex_, constraints_, splits_.back())) staying.push_back(splits_.back());
         splits_.pop_back();
     }
     splits_.assign(staying.rbegin(), staying.rend());
+    return splits_.size() < before;
+}
+
+bool Recovery::free_all() {
+    bool is_stuck = true;
+    for (std::uint32_t depth = 0; depth <= params_.depth && is_stuck; ++depth) is_stuck = free_segments(depth);
+    const bool segments_stuck = is_stuck;
+    is_stuck = true;
+    for (std::uint32_t depth = 0; depth <= params_.depth && is_stuck; ++depth) is_stuck = free_facets(depth);
+    return segments_stuck || is_stuck;
 }
 
 void Recovery::run() {
-    const int depth = static_cast<int>(params_.depth);
-    context_.tell_progress("edges", 0);
-    for (int level = 0; level <= depth && free_segments(level);) ++level;
-    context_.tell_progress("triangles", 0.4);
-    for (int level = 0; level <= depth && free_facets(level);) ++level;
-    // A part that is freed late may have pushed a negligible one aside, so all are looked at each time.
-    for (bool goes_on = true; goes_on;) {
-        context_.tell_progress("stuck ones", 0.7);
-        goes_on = split_stuck_segments();
-        free_segments(depth);
-        if (!goes_on) goes_on = split_stuck_facets();
-        free_facets(depth);
+    int quiet_rounds = 0;
+    while (quiet_rounds < max_quiet_rounds) {
+        context_.tell_progress("edges and triangles", splits_tried_ == 0 ? 0 : 0.5);
+        const std::uint64_t before = exchanges();
+        const bool is_stuck = free_all();
+        // Parts of the last round's splits are there now, as far as they ever will be.
+        bool has_changed = undo_splits();
+        if (is_stuck) has_changed |= split_stuck_segments() || split_stuck_facets();
+        if (!has_changed && exchanges() == before) break;
+        quiet_rounds = has_changed ? 0 : quiet_rounds + 1;
     }
-    undo_splits();
 }
 
 Missing<Edge> Recovery::judge_segments() const {

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "core/context.h"
@@ -42,15 +43,18 @@ public:
 
 private:
     // Each tells whether some that matter are stuck.
-    bool free_segments(int depth);
-    bool free_facets(int depth);
+    bool free_segments(std::uint32_t depth);
+    bool free_facets(std::uint32_t depth);
+    bool free_all();
     // Each tells whether it put nodes anywhere.
     bool split_stuck_segments();
     bool split_stuck_facets();
     bool split_at_crossing(const Edge& segment);
     bool split_at_obstacle(const Triangle& facet);
-    void undo_splits();
+    // Whether some left.
+    bool undo_splits();
 
+    [[nodiscard]] bool may_split() const;
     [[nodiscard]] bool has_edge(Index a, Index b) const { return complex_.find_edge(a, b) != none; }
     [[nodiscard]] bool has_edges(const Triangle& t) const {
         return has_edge(t[0], t[1]) && has_edge(t[1], t[2]) && has_edge(t[2], t[0]);
@@ -76,11 +80,14 @@ private:
     const Params& params_;
     const Context& context_;
     Liberator liberator_;
-    Index node_count_;     // before any split
-    double largest_loss_;  // metres that may be neglected
-    std::size_t splits_left_;
+    Index node_count_;        // before any split
+    double largest_loss_;     // metres that may be neglected
+    std::size_t max_splits_;  // at one time
     std::uint64_t splits_tried_ = 0;
     std::vector<Split> splits_;
+    // Freed as far as they can be: trying again would only disturb the others.
+    std::unordered_set<Edge, EdgeHash> blocked_segments_;
+    std::unordered_set<Triangle, TriangleHash> blocked_facets_;
 };
 
 }

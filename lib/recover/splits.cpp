@@ -169,27 +169,25 @@ void make_whole(Constraints& constraints, const Split& split) {
 
 }
 
-Undoing undo_split(TetComplex& complex, Constraints& constraints, const Split& split) {
-    if (!is_untouched(constraints, split)) return Undoing::stuck;
+bool undo_split(TetComplex& complex, Constraints& constraints, const Split& split) {
+    if (!is_untouched(constraints, split)) return false;
     std::vector<Cavity> cavities;
-    if (!Sides(complex, split).find(cavities)) return Undoing::stuck;
+    if (!Sides(complex, split).find(cavities)) return false;
     std::vector<Filling> fillings(cavities.size());
     for (std::size_t i = 0; i < cavities.size(); ++i) {
         fillings[i] = best_filling(complex, cavities[i], complex.position(split.node));
-        if (fillings[i].quality <= 0) return Undoing::stuck;
+        if (fillings[i].quality <= 0) return false;
     }
-    Undoing undoing = Undoing::gone;
     std::vector<Index> old;
     std::vector<Tet> fresh;
     for (std::size_t i = 0; i < cavities.size(); ++i) {
-        if (fillings[i].node == none) undoing = Undoing::moved_inside;
         const Index apex = fillings[i].node != none ? fillings[i].node : complex.add_node(fillings[i].place);
         append_cone(cavities[i], apex, fresh);
         old.insert(old.end(), cavities[i].tets.begin(), cavities[i].tets.end());
     }
     complex.replace(old, fresh);
     make_whole(constraints, split);
-    return undoing;
+    return true;
 }
 
 }

@@ -32,13 +32,7 @@ Index insert_node(TetComplex& complex, const Constraints& constraints, Vec3 plac
 Split split_segment(Constraints& constraints, Index a, Index b, Index node);
 Split split_facet(Constraints& constraints, const Triangle& facet, Index node);
 
-enum class Undoing {
-    stuck,        // the node stays
-    gone,         // the node is in no tet any more
-    moved_inside  // the node is gone and new nodes inside took over
-};
-
-// Takes a split's node out again and makes its parts whole. On `stuck` nothing has changed.
-Undoing undo_split(TetComplex& complex, Constraints& constraints, const Split& split);
+// Takes a split's node out again and makes its parts whole. On false nothing has changed.
+bool undo_split(TetComplex& complex, Constraints& constraints, const Split& split);
 
 }
