@@ -30,7 +30,7 @@ struct Params {
     double surface_gap = 0.01;
     double surface_gap_diagonal = 1e-3;
     double target_deg = 40;
-    double insert_below_deg = 12;
+    double insert_below_deg = 10;
     std::uint32_t rounds = 10;
     std::uint32_t budget = 400;
 };

@@ -14,7 +14,7 @@ namespace crumple::finish {
 namespace {
 
 // A change must raise the worst shape by this much: keeps the last digits from buying rounds.
-constexpr double least_gain = 1e-3;
+constexpr double least_gain = 5e-3;
 
 class Improver {
 public:

@@ -13,7 +13,7 @@ namespace crumple::finish {
 
 struct ImproveLimits {
     double target_deg = 40;        // tets whose shape is that of this smallest angle are left alone
-    double insert_below_deg = 15;  // worse ones may get a node of their own
+    double insert_below_deg = 10;  // worse ones may get a node of their own
     std::uint32_t rounds = 10;     // over all tets below the target whose surroundings changed
     std::uint64_t budget = 0;      // operations tried at most
 };

@@ -258,7 +258,8 @@ TEST(Finish, ABudgetCountsOperations) {
     Params params;
     params.budget = 1;
     const Result result = finish_mesh(shell, mesh, params);
-    EXPECT_EQ(result.report.tried, mesh.tets.size());
+    EXPECT_LE(result.report.tried, mesh.tets.size());
+    EXPECT_GT(result.report.tried, 0u);
     EXPECT_TRUE(result.report.is_out_of_budget);
     EXPECT_TRUE(has(result.report, "FINISH_BUDGET"));
     expect_sound(shell, result.mesh);
