@@ -30,6 +30,7 @@ void declare(CLI::App& app, Session& session) {
     crumple::cli::add_compare(app, session);
     crumple::cli::add_export(app, session);
     crumple::cli::add_stages(app, session);
+    crumple::cli::add_simulate(app, session);
     crumple::cli::add_dev(app, session);
 }
 

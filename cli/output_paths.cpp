@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code error;
     if (fs::equivalent(a, b, error)) return true;
-    const fs::path first = fs::weakly_canonical(fs::absolute(a), error);
-    return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
+    const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+    return !error && first == fs::weakly_canonical(fs::absolute(b, error), error) && !error;
 }
 
 }

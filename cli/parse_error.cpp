@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "core/names.h"
 #include "report/printable.h"
@@ -58,6 +60,16 @@ std::string explain_word(const CLI::App& app, const std::string& word) {
     return understood_call(app) + " has no verb " + shown + "; nearest: '" + nearest_name(word, verbs) + "'";
 }
 
+// "--shell: At Most 1 required but received 2", in our words.
+std::string explain_count(std::string text) {
+    static constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"At Most ", "takes no more than "}, {"At least ", "wants at least "}, {" required but received ", ", found "}};
+    for (const auto& [theirs, ours] : words) {
+        if (const std::size_t at = text.find(theirs); at != std::string::npos) text.replace(at, theirs.size(), ours);
+    }
+    return text;
+}
+
 }
 
 std::string understood_call(const CLI::App& app) {
@@ -71,7 +83,8 @@ std::string explain_parse_error(const CLI::App& app, const CLI::ParseError& erro
     const bool may_be_a_slip =
         dynamic_cast<const CLI::ExtrasError*>(&error) || dynamic_cast<const CLI::RequiredError*>(&error);
     const std::string word = may_be_a_slip ? first_unplaced(app, words) : std::string();
-    return word.empty() ? error.what() : explain_word(app, word);
+    if (!word.empty()) return explain_word(app, word);
+    return dynamic_cast<const CLI::ArgumentMismatch*>(&error) ? explain_count(error.what()) : error.what();
 }
 
 }

@@ -22,6 +22,7 @@ void add_check(CLI::App& app, Session& session);
 void add_inspect(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 void add_export(CLI::App& app, Session& session);
+void add_simulate(CLI::App& app, Session& session);
 void add_dev(CLI::App& app, Session& session);
 
 }

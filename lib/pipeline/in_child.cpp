@@ -16,9 +16,9 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 
 }
 
-std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name) {
+std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name, double time_s) {
     using sandbox::Ending;
-    const auto outcome = sandbox::run_in_child([&] { return bytes_of(work()); }, {});
+    const auto outcome = sandbox::run_in_child([&] { return bytes_of(work()); }, {.time_s = time_s});
     if (outcome.ending == Ending::ok)
         return {reinterpret_cast<const char*>(outcome.answer.data()), outcome.answer.size()};
     if (outcome.ending != Ending::refused) throw Error(ErrorKind::difference, name + ": damaged: " + outcome.message);

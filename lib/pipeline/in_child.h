@@ -13,17 +13,19 @@
 namespace crumple::pipeline {
 
 // Throws Error(difference) "<name>: ..." when the work refuses the file, crashes or meets a limit; an Error of kind
-// file stays one.
-[[nodiscard]] std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name);
+// file stays one. `time_s` by the wall.
+[[nodiscard]] std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name,
+                                            double time_s = 120);
 
 template <class Answer>
-[[nodiscard]] Answer run_described_in_child(const std::function<Answer()>& work, const std::string& name) {
+[[nodiscard]] Answer run_described_in_child(const std::function<Answer()>& work, const std::string& name,
+                                            double time_s = 120) {
     const std::string json = run_text_in_child(
         [&] {
             const Answer answer = work();
             return report::write_json(report::Described::of(answer), report::JsonStyle::compact);
         },
-        name);
+        name, time_s);
     Answer answer;
     report::read_json(json, name, report::Described::of(answer), {.kind = ErrorKind::difference, .allows_null = true});
     return answer;

@@ -118,6 +118,7 @@ Workspace read_work_file(const std::string& path) {
 }
 
 void check_output_path(const std::string& path, const std::vector<std::string>& inputs) {
+    if (path.empty()) throw Error(ErrorKind::usage, "-o: it names no file");
     if (std::filesystem::path(path).extension() != ".hdf") {
         throw Error(ErrorKind::usage, path + ": the output's name must end in .hdf (ParaView opens no other)");
     }

@@ -70,6 +70,10 @@ class Output(program.Case):
         process = self.fails(self.cook("--progress", "json", output=self.path("a" * 252 + ".hdf")), 2, "File name too long")
         self.assertNotIn("begin", process.stderr)
 
+    def test_empty_names_are_no_names(self):
+        self.fails(program.run("cook", "smoke", "--shell", "", "-o", self.output), 2)
+        self.fails(program.run("cook", "smoke", "--shell", self.shell, "-o", ""), 1, "names no file")
+
     def test_a_shell_that_is_not_there_is_exit_2(self):
         self.shell = self.path("none.ply")
         self.fails(self.cook(), 2, "none.ply")

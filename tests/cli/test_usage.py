@@ -28,7 +28,9 @@ class Usage(program.Case):
         self.fails(self.cook("--vebrose"), 1, "'--verbose'")
         self.fails(program.run("--vershion"), 1, "'--version'")
 
-    def test_a_word_too_many_is_named(self):
+    def test_an_option_or_word_too_many_is_named(self):
+        self.fails(self.cook("-o", "other.hdf"), 1, "--output: takes no more than 1, found 2")
+        self.fails(program.run("compare", "a.hdf"), 1, "wants at least 2, found 1")
         self.fails(program.run("inspect", "a.hdf", "b.hdf"), 1, "'b.hdf'")
 
     def test_help_goes_to_stdout_fits_a_screen_and_ends_with_an_example(self):
