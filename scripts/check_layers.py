@@ -66,6 +66,13 @@ def sources_below(folder):
     return sorted(p for p in folder.rglob("*") if p.suffix in SOURCES and p.is_file())
 
 
+def is_of_another_project(path, folder):
+    """Below a module's folder may lie a program of its own that uses us from outside."""
+    between = [parent for parent in path.parents if parent != folder and folder in parent.parents]
+    return any("project(" in without_comments((parent / "CMakeLists.txt").read_text())
+               for parent in between if (parent / "CMakeLists.txt").exists())
+
+
 def includes_of(path):
     for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
         match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
@@ -98,6 +105,8 @@ def packaged_headers(modules):
 
 def check_includes(root, modules, module, packaged):
     for path in sources_below(module.folder):
+        if is_of_another_project(path, module.folder):
+            continue
         where = path.relative_to(root)
         for number, _, target in includes_of(path):
             owner = target.split("/")[0]
