@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/parallel_for.h"
-#include "cull/tet_clearance.h"
+#include "mesh/tet_clearance.h"
 
 namespace crumple::cull {
 

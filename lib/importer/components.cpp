@@ -6,30 +6,12 @@
 #include <string>
 
 #include "geometry/measures.h"
+#include "importer/disjoint_sets.h"
 #include "importer/edges.h"
 
 namespace crumple::importer {
 
 namespace {
-
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    Index find(Index i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    // The smaller root stays, so the result does not depend on the order.
-    void unite(Index a, Index b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parent_;
-};
 
 Index object_of(const Surface& surface, const Welded& shell, Index t) { return surface.parts[shell.part[t]].object; }
 

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/error.h"
+#include "geometry/measures.h"
+#include "importer/cage.h"
 #include "importer/file_report.h"
 #include "importer/format.h"
 #include "importer/printable.h"
@@ -29,6 +31,17 @@ std::vector<Vec3> locked_positions(const Shell& shell) {
 }
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+// Figures of the shell that goes on; the components reported stay those of the file.
+void cage_and_report(Result& result, std::uint32_t cells, const Context& context) {
+    Report& report = result.report;
+    report.findings.push_back(put_in_cage(result.asset, cells, context));
+    const Shell& shell = result.asset.shell;
+    report.vertices = shell.positions.size();
+    report.triangles = shell.triangles.size();
+    report.diagonal = bounding_box(shell.positions).diagonal();
+    report.locked = static_cast<std::uint64_t>(std::count(shell.locked.begin(), shell.locked.end(), 1));
+}
 
 VisualMesh read_visual(const std::string& name, const std::string& path, const Params& params, Report& report) {
     const Scene scene = load_scene(path, Purpose::visual, params);
@@ -85,7 +98,6 @@ Result import_asset(const Sources& sources, const Params& params, const Context&
         return shell_from_scene(scene, format_of(sources.shell), stem_of(sources.shell), params, context,
                                 result.report);
     });
-    result.asset.locked_positions = locked_positions(result.asset.shell);
     for (std::size_t i = 0; i < names.size(); ++i) {
         context.stop_if_cancelled();
         context.tell_progress("import", (2 + static_cast<double>(i)) / step_count);
@@ -93,6 +105,8 @@ Result import_asset(const Sources& sources, const Params& params, const Context&
         result.asset.visuals.push_back(
             naming(path, [&] { return read_visual(names[i], path, params, result.report); }));
     }
+    if (params.cage > 0) cage_and_report(result, params.cage, context);
+    result.asset.locked_positions = locked_positions(result.asset.shell);
     context.tell_progress("import", 1);
     return result;
 }

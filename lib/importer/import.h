@@ -35,6 +35,8 @@ struct Params {
     std::map<std::string, Role> roles;            // by component, mesh or material name
     bool strict = false;
     double weld_tolerance = 1e-6;  // times the box diagonal
+    double thicken = 0;            // metres given to single sheets, 0: none
+    std::uint32_t cage = 0;        // cells of a lattice along the asset's longest side, 0: none
     std::uint32_t memory_mb = 8192;
     double time_s = 120;
 };
@@ -50,6 +52,12 @@ void describe(Visitor& visit, P& p) {
     visit.field("strict", p.strict, "copies of a vertex that disagree about its lock are an error");
     visit.field("weld_tolerance", p.weld_tolerance, Range{0, 0.01},
                 "where exact welding leaves edges open, vertices this near merge; times the box diagonal");
+    visit.field("thicken", p.thicken, Range{0, 1e6},
+                "metres: parts of the shell that are not closed become solids of this thickness; 0: they stay open");
+    visit.field(
+        "cage", p.cage, Range{0, 64},
+        "when above 0, a lattice with so many cells along the longest side takes the shell's place: for a shell "
+        "that cannot be closed");
     visit.field("memory_mb", p.memory_mb, Range{16, 1048576}, "memory the reader of a file may use, MiB");
     visit.field("time_s", p.time_s, Range{0.001, 86400}, "seconds the reader of a file may take");
 }
@@ -124,6 +132,10 @@ struct Report {
     std::uint64_t open_edges = 0;
     std::uint64_t non_manifold_edges = 0;
     std::uint64_t self_intersections = 0;  // pairs of triangles
+    std::uint64_t holes = 0;               // boundary loops
+    double largest_hole = 0;               // its box, in diagonals of the shell's
+    double leak_share = 0;                 // of the volume, where inside and outside are a guess
+    std::uint64_t thickened_triangles = 0;
     std::uint64_t color_sets = 0;
     std::uint64_t painted_copies = 0;  // vertices of the file with red below the threshold
     std::uint64_t locked = 0;          // vertices of the shell
@@ -150,6 +162,11 @@ void describe(Visitor& visit, R& r) {
     visit.field("open_edges", r.open_edges, "edges with one triangle");
     visit.field("non_manifold_edges", r.non_manifold_edges, "edges with more than two triangles");
     visit.field("self_intersections", r.self_intersections, "pairs of triangles that cross");
+    visit.field("holes", r.holes, "loops of open edges");
+    visit.field("largest_hole", r.largest_hole, "across the largest hole, share of the shell's diagonal");
+    visit.field("leak_share", r.leak_share,
+                "share of the volume whose winding number lies between 0.3 and 0.7 among what lies above 0.3, about");
+    visit.field("thickened_triangles", r.thickened_triangles, "triangles of open parts that were given a thickness");
     visit.field("color_sets", r.color_sets, "vertex colour sets in the shell's file");
     visit.field("painted_copies", r.painted_copies, "vertices of the file whose red says locked");
     visit.field("locked", r.locked, "locked vertices of the shell");
@@ -175,7 +192,8 @@ struct Result {
 // As given, else after the file. Throws Error(usage) for one that is no name, or there twice.
 [[nodiscard]] std::vector<std::string> visual_names(const Sources& sources);
 
-// Vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own
+// With params.thicken or params.cage the shell is what they say; otherwise
+// vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own
 // vertices in the file's order, where the format has an order (OBJ, PLY, OFF, glTF), else one a face corner. Throws
 // Error(file) for a path that cannot be opened, Error(usage) for visual names that are not unique, Error(bad_input) for
 // content that is refused, its message beginning with the file's name. REQUIRES: no other thread of this process is

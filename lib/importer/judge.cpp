@@ -18,6 +18,11 @@ namespace {
 // A coordinate this many times the box diagonal keeps 24 - 13 = 11 bits for the shape: details of 1/2000 are lost.
 constexpr double far_away = 1e4;
 
+constexpr double hopelessly_far = 1e6;
+
+// Nobody simulates more, and every stage after import would take minutes.
+constexpr std::size_t most_triangles = 1'000'000;
+
 // Metres across that a simulated object rarely has.
 constexpr double smallest_usual = 0.01;
 constexpr double largest_usual = 100;
@@ -41,6 +46,19 @@ bool is_flat(const std::vector<Vec3>& p) {
         if (orient3d(p[0], p[second], p[third], p[v]) != 0) return false;
     }
     return true;
+}
+
+struct FarthestVertex {
+    Vec3 place;
+    double distance = 0;  // from the origin
+};
+
+FarthestVertex farthest_vertex(const Shell& shell) {
+    FarthestVertex farthest;
+    for (const Vec3& p : shell.positions) {
+        if (length(p) > farthest.distance) farthest = {p, length(p)};
+    }
+    return farthest;
 }
 
 std::string shortest(double value) {
@@ -91,16 +109,30 @@ void finish(Finding& finding, const std::string& message, std::vector<Finding>& 
 
 }
 
-void check_usable(const Shell& shell, std::uint64_t file_triangles) {
+void check_triangle_count(std::size_t count) {
+    if (count <= most_triangles) return;
+    throw Error(ErrorKind::bad_input, "SHELL_TOO_LARGE: " + std::to_string(count) + " triangles, at most " +
+                                          std::to_string(most_triangles) + "; a control shell is coarse, decimate it");
+}
+
+void check_usable(const Shell& shell, std::uint64_t file_triangles, bool is_caged) {
     if (shell.triangles.empty()) {
         throw Error(ErrorKind::bad_input,
                     file_triangles == 0
                         ? "SHELL_EMPTY: it has no faces; a control shell is a closed surface"
                         : "SHELL_EMPTY: none of its " + std::to_string(file_triangles) + " triangles has an area");
     }
-    if (is_flat(shell.positions)) {
+    const double diagonal = bounding_box(shell.positions).diagonal();
+    if (!(farthest_vertex(shell).distance <= hopelessly_far * diagonal)) {
         throw Error(ErrorKind::bad_input,
-                    "SHELL_FLAT: all its vertices lie in one plane; a control shell encloses a volume");
+                    "SHELL_FAR_FROM_ORIGIN: the shell lies more than a million times its size from the origin, where "
+                    "floats cannot tell its vertices apart; move it to the origin before exporting");
+    }
+    if (!is_caged && is_flat(shell.positions)) {
+        throw Error(ErrorKind::bad_input,
+                    "SHELL_FLAT: all its vertices lie in one plane; a control shell encloses a volume (import.thicken "
+                    "gives a single sheet a "
+                    "thickness)");
     }
 }
 
@@ -128,7 +160,9 @@ std::vector<Finding> judge_shape(const Shell& shell, const Context& context, std
             {shell.positions[shell.triangles[static_cast<std::size_t>(first)][0]], none, component.name});
     }
     std::vector<Finding> findings;
-    finish(crossing, " pairs of triangles of one component cross or touch; inside and outside are a guess there",
+    finish(crossing,
+           " pairs of triangles of one component cross or touch; the winding number decides there, which "
+           "counts what is enclosed twice as inside",
            findings);
     finish(overlapping,
            " pairs of triangles of two components cross or touch; where they overlap the smaller one decides",
@@ -165,13 +199,9 @@ std::vector<Finding> judge_size(double diagonal, const Placement& placement) {
 
 std::vector<Finding> judge_precision(const Shell& shell, double diagonal) {
     Finding finding{"SHELL_FAR_FROM_ORIGIN", Severity::warning, "", 1, {}};
-    double farthest = 0;
-    for (const Vec3& p : shell.positions) {
-        if (length(p) <= farthest) continue;
-        farthest = length(p);
-        finding.places = {{p, none, ""}};
-    }
+    const auto [place, farthest] = farthest_vertex(shell);
     if (!(farthest > far_away * diagonal)) return {};
+    finding.places = {{place, none, ""}};
     finding.message = "the shell lies " +
                       std::to_string(static_cast<std::uint64_t>(std::min(farthest / diagonal, 1e18))) +
                       " times its size from the origin: float positions have lost precision there, vertices may have "

@@ -12,8 +12,12 @@
 
 namespace crumple::importer {
 
-// Throws Error(bad_input) when the shell has no triangle or all its vertices lie in one plane.
-void check_usable(const Shell& shell, std::uint64_t file_triangles);
+// Throws Error(bad_input) for more triangles than anybody simulates: asked before work begins.
+void check_triangle_count(std::size_t count);
+
+// Throws Error(bad_input) when the shell has no triangle, when its place leaves floats no digits for its shape, or when
+// all its vertices lie in one plane (which a cage does not mind).
+void check_usable(const Shell& shell, std::uint64_t file_triangles, bool is_caged = false);
 
 // Pairs of triangles that meet, within a component and between two; components that enclose nothing.
 [[nodiscard]] std::vector<Finding> judge_shape(const Shell& shell, const Context& context,

@@ -8,10 +8,13 @@
 #include "importer/clean.h"
 #include "importer/components.h"
 #include "importer/file_report.h"
+#include "importer/flaws.h"
 #include "importer/judge.h"
+#include "importer/openness.h"
 #include "importer/paint.h"
 #include "importer/roles.h"
 #include "importer/surface.h"
+#include "importer/thicken.h"
 #include "importer/weld.h"
 
 namespace crumple::importer {
@@ -68,6 +71,23 @@ Components split_and_report(const Surface& surface, Welded& welded, Report& repo
     return components;
 }
 
+Components thicken_and_report(const Surface& surface, Components components, double thickness, Welded& welded,
+                              Report& report) {
+    Finding finding = thicken_sheets(surface, components, thickness, welded);
+    if (finding.count == 0) return components;
+    report.thickened_triangles = finding.count;
+    report.findings.push_back(std::move(finding));
+    return split_components(surface, welded);
+}
+
+Openness open_and_report(const Shell& shell, const Context& context, Report& report) {
+    const Openness openness = measure_openness(shell, context);
+    report.holes = openness.holes;
+    report.largest_hole = openness.largest_hole;
+    report.leak_share = openness.leak_share;
+    return openness;
+}
+
 Shell shell_from(Welded welded, const Components& components) {
     Shell shell;
     shell.positions = std::move(welded.positions);
@@ -104,6 +124,7 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     const Placement placement = placement_of(scene, params);
     Surface surface = flatten(scene, placement, params, fallback_name);
     report.shell = report_file("shell", format, placement, scene, surface);
+    check_triangle_count(surface.triangles.size());
     append(report.findings, judge_reading(scene, report.shell));
     const PaintedVertices painted = read_paint(scene, format, params, surface);
     report.color_sets = painted.set_count;
@@ -118,13 +139,17 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     Welded welded = weld_and_report(surface, painted, params, report);
     const Finding conflicts = welded.conflicts;
     clean_and_report(surface, welded, report);
-    const Components components = split_and_report(surface, welded, report);
+    Components components = split_and_report(surface, welded, report);
+    if (params.thicken > 0)
+        components = thicken_and_report(surface, std::move(components), params.thicken, welded, report);
     Shell shell = shell_from(std::move(welded), components);
-    check_usable(shell, report.shell.triangles);
+    check_usable(shell, report.shell.triangles, params.cage > 0);
     context.stop_if_cancelled();
 
     append(report.findings, assign_roles(surface, components, params, shell));
     report_shell(shell, components, report);
+    append(report.findings, find_flaws(shell, report.diagonal));
+    append(report.findings, judge_openness(open_and_report(shell, context, report), report.diagonal, params.cage > 0));
     append(report.findings, judge_shape(shell, context, report.self_intersections));
     append(report.findings, judge_size(report.diagonal, placement));
     append(report.findings, judge_precision(shell, report.diagonal));

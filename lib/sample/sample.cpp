@@ -8,6 +8,7 @@
 #include "sample/count.h"
 #include "sample/method.h"
 #include "sample/space.h"
+#include "sample/thin.h"
 
 namespace crumple::sample {
 
@@ -78,7 +79,9 @@ std::uint64_t limited(std::uint64_t count, Report& report) {
 }
 
 std::uint64_t wanted_points(const Count& count, std::uint64_t shell_vertices, Report& report) {
-    if (count.kind == CountKind::automatic) return limited(report.automatic_count, report);
+    // A lattice that import put around a shell brings its own points.
+    if (count.kind == CountKind::automatic)
+        return limited(report.automatic_count - std::min(report.automatic_count, report.given_points), report);
     if (count.kind == CountKind::points) return count.number;
     const std::uint64_t points = points_for_tets(shell_vertices, count.number);
     if (points == 0) {
@@ -109,6 +112,25 @@ void judge_outcome(Report& report, CountKind kind, const Space& space) {
     }
 }
 
+// A larger clearance makes nothing thinner.
+void judge_thickness(Report& report, const Shell& shell, double clearance, const Context& context) {
+    const ThinParts thin = find_thin_parts(shell, std::min(clearance, Params{}.clearance), context);
+    report.thin_triangles = thin.triangles;
+    report.thin_share = thin.area_share;
+    report.thinnest = thin.least_thickness;
+    for (Finding& finding : describe_thin_parts(thin)) report.findings.push_back(std::move(finding));
+}
+
+std::uint64_t count_given(const Shell& shell, const Space& space) {
+    std::vector<std::uint8_t> is_free(shell.positions.size(), 1);
+    for (const Triangle& triangle : shell.triangles) {
+        for (const Index v : triangle) is_free[v] = 0;
+    }
+    std::uint64_t count = 0;
+    for (std::size_t v = 0; v < is_free.size(); ++v) count += is_free[v] && space.is_fillable(shell.positions[v]);
+    return count;
+}
+
 std::vector<double> size_factors(const Shell& shell, bool painted_density, Report& report) {
     if (!painted_density) return {};
     if (shell.color.size() == shell.positions.size()) return painted_size_factors(shell);
@@ -133,6 +155,7 @@ Result sample_interior(const Shell& shell, const Params& params, const Context& 
     measure_space(report, cells);
     const double free_size = free_size_of(cells);
     report.automatic_count = automatic_count(free_size);
+    report.given_points = count_given(shell, space);
     report.wanted = wanted_points(count, report.shell_vertices, report);
 
     context.tell_progress("sample: place points", 0.3);
@@ -145,6 +168,7 @@ Result sample_interior(const Shell& shell, const Params& params, const Context& 
     report.spacing = chosen.spacing;
     report.expected_tets = expected_tets(report.shell_vertices, report.points);
     judge_outcome(report, count.kind, space);
+    judge_thickness(report, shell, params.clearance, context);
     return result;
 }
 

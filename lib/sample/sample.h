@@ -33,6 +33,7 @@ struct Params {
 struct Report {
     std::uint64_t shell_vertices = 0;
     std::uint64_t points = 0;           // placed inside
+    std::uint64_t given_points = 0;     // vertices of the shell within it that no triangle uses: they count as points
     std::uint64_t wanted = 0;           // by the recipe, or automatic_count
     std::uint64_t automatic_count = 0;  // integral of 1 / (0.7 h^3) over what is fillable and 0.35 h from the shell
     std::uint64_t expected_tets = 0;    // after culling, within some percent
@@ -41,9 +42,12 @@ struct Report {
     double free_volume = 0;  // cubic metres, fillable and 0.35 h from the shell
     double size_min = 0;     // least and largest h where points may lie, metres
     double size_max = 0;
-    double spacing = 0;             // no two points are nearer than this times h; 0 when the method does not say
+    std::uint64_t thin_triangles = 0;  // where one layer of tets fits
+    double thin_share = 0;             // of the surface
+    double thinnest = 0;               // metres, there
+    double spacing = 0;                // no two points are nearer than this times h; 0 when the method does not say
     std::vector<Finding> findings;  // SAMPLE_NO_INTERIOR, SAMPLE_FEWER_POINTS, SAMPLE_COUNT_LIMITED, SAMPLE_FEWER_TETS,
-                                    // SAMPLE_NO_DENSITY, SAMPLE_OPEN_SHELL
+                                    // SAMPLE_NO_DENSITY, SAMPLE_OPEN_SHELL, SAMPLE_THIN
 };
 
 inline constexpr Pattern count_pattern{"^(auto|[0-9]{1,7}|tets:0*[1-9][0-9]{0,6})$"};
@@ -69,6 +73,8 @@ template <class Visitor, FieldsOf<Report> R>
 void describe(Visitor& visit, R& r) {
     visit.field("shell_vertices", r.shell_vertices, "vertices of the shell, which come first among the points");
     visit.field("points", r.points, "points placed inside");
+    visit.field("given_points", r.given_points,
+                "vertices of the shell within it that no triangle uses; they count as points");
     visit.field("wanted", r.wanted, "points asked for");
     visit.field("automatic_count", r.automatic_count, "points that the shell's edge lengths suggest");
     visit.field("expected_tets", r.expected_tets, "about how many tets will be left after culling");
@@ -77,6 +83,9 @@ void describe(Visitor& visit, R& r) {
     visit.field("free_volume", r.free_volume, "space that takes points, cubic metres");
     visit.field("size_min", r.size_min, "smallest element size in that space, metres");
     visit.field("size_max", r.size_max, "largest element size in that space, metres");
+    visit.field("thin_triangles", r.thin_triangles, "triangles of the shell where only one layer of tets fits");
+    visit.field("thin_share", r.thin_share, "share of the surface they cover");
+    visit.field("thinnest", r.thinnest, "least thickness there, metres");
     visit.field("spacing", r.spacing, "no two points are nearer than this times the element size; 0 for uniform");
     visit.field("findings", r.findings, "what a person should know");
 }

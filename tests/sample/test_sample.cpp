@@ -297,7 +297,7 @@ TEST(Sample, EveryFieldIsDescribedOnce) {
     Names report;
     Report r;
     describe(report, r);
-    EXPECT_EQ(report.names.size(), 12u);
+    EXPECT_EQ(report.names.size(), 16u);
 }
 
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cull/tet_clearance.h"
+#include "mesh/tet_clearance.h"
 
 #include <gtest/gtest.h>
 
 #include "core/random.h"
 #include "mesh/shapes.h"
 
-namespace crumple::cull {
+namespace crumple {
 namespace {
 
 constexpr std::array<Vec3, 4> unit_tet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

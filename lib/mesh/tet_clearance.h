@@ -8,7 +8,7 @@
 #include "geometry/triangle_contact.h"
 #include "mesh/shell.h"
 
-namespace crumple::cull {
+namespace crumple {
 
 // False only when a plane proves that the triangle stays out of the open tet; touching its boundary is staying out.
 [[nodiscard]] bool may_enter(const Corners& triangle, const std::array<Vec3, 4>& tet);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cull/tet_clearance.h"
+#include "mesh/tet_clearance.h"
 
 #include "geometry/predicates.h"
 
-namespace crumple::cull {
+namespace crumple {
 
 namespace {
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/flaws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include "geometry/bvh.h"
+#include "geometry/measures.h"
+#include "importer/edges.h"
+
+namespace crumple::importer {
+
+namespace {
+
+constexpr double needle_sine_2 = 0.0075961;  // of 5 degrees, squared
+
+// Two diagonals of float rounding: what an exporter may have moved a vertex that was meant to lie on an edge.
+constexpr double on_edge = 1e-6;
+
+struct Needle {
+    double sine_2;  // of the smallest angle, squared
+    Index triangle;
+};
+
+// The smallest angle lies between the two longest sides.
+double smallest_sine_2(Vec3 a, Vec3 b, Vec3 c) {
+    std::array<double, 3> sides_2{dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
+    std::sort(sides_2.begin(), sides_2.end());
+    const Vec3 normal = area_vector(a, b, c);
+    const double sides = sides_2[1] * sides_2[2];
+    return sides > 0 ? dot(normal, normal) / sides : 0;
+}
+
+Place place_of(const Shell& shell, Index t) {
+    const auto& [a, b, c] = shell.triangles[t];
+    return {(shell.positions[a] + shell.positions[b] + shell.positions[c]) / 3.0, t,
+            shell.components[shell.component[t]].name};
+}
+
+std::vector<Finding> find_needles(const Shell& shell) {
+    std::vector<Needle> needles;
+    for (Index t = 0; t < shell.triangles.size(); ++t) {
+        const auto& [a, b, c] = shell.triangles[t];
+        const double sine_2 = smallest_sine_2(shell.positions[a], shell.positions[b], shell.positions[c]);
+        if (sine_2 < needle_sine_2) needles.push_back({sine_2, t});
+    }
+    if (needles.empty()) return {};
+    std::stable_sort(needles.begin(), needles.end(),
+                     [](const Needle& a, const Needle& b) { return a.sine_2 < b.sine_2; });
+    const double sharpest = std::asin(std::sqrt(needles.front().sine_2)) * 180 / std::numbers::pi;
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "%zu triangles have a corner below 5 degrees (the sharpest %.2g): elements on them are hardly better; "
+        "collapse their short edges. Within a flat area they do little harm",
+        needles.size(), sharpest);
+    Finding finding{"SHELL_NEEDLE", Severity::warning, text, needles.size(), {}};
+    for (std::size_t i = 0; i < std::min<std::size_t>(needles.size(), max_places); ++i)
+        finding.places.push_back(place_of(shell, needles[i].triangle));
+    return {finding};
+}
+
+std::vector<HalfEdge> open_edges(const Shell& shell) {
+    std::vector<HalfEdge> open;
+    const std::vector<HalfEdge> half_edges = sorted_half_edges(shell.triangles);
+    for_each_edge(half_edges, [&](std::span<const HalfEdge> edge) {
+        if (edge.size() == 1) open.push_back(edge[0]);
+    });
+    return open;
+}
+
+bool lies_on_middle(Vec3 a, Vec3 b, Vec3 p, double tolerance) {
+    const Vec3 along = b - a;
+    const double share = dot(p - a, along) / dot(along, along);
+    return share > 0 && share < 1 && length(p - a) > tolerance && length(p - b) > tolerance &&
+           length(a + along * share - p) <= tolerance;
+}
+
+std::vector<Finding> find_t_junctions(const Shell& shell, double diagonal) {
+    const std::vector<HalfEdge> open = open_edges(shell);
+    std::vector<Box> boxes;
+    std::vector<Index> rim;
+    for (const HalfEdge& edge : open) {
+        boxes.push_back(bounding_box(std::array{shell.positions[edge.low], shell.positions[edge.high]}));
+        rim.insert(rim.end(), {edge.low, edge.high});
+    }
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    const Bvh tree(boxes);
+    const double tolerance = on_edge * diagonal;
+    Finding finding{"SHELL_T_JUNCTION", Severity::warning, "", 0, {}};
+    for (const Index v : rim) {
+        bool is_junction = false;
+        tree.within(shell.positions[v], tolerance, [&](Index e) {
+            is_junction = lies_on_middle(shell.positions[open[e].low], shell.positions[open[e].high],
+                                         shell.positions[v], tolerance);
+            return is_junction;
+        });
+        if (is_junction && finding.count++ < max_places) finding.places.push_back({shell.positions[v], v, ""});
+    }
+    if (finding.count == 0) return {};
+    finding.message = std::to_string(finding.count) +
+                      " vertices lie on the middle of an open edge: the edge looks closed and is not; split it there";
+    return {finding};
+}
+
+}
+
+std::vector<Finding> find_flaws(const Shell& shell, double diagonal) {
+    std::vector<Finding> findings = find_needles(shell);
+    for (Finding& finding : find_t_junctions(shell, diagonal)) findings.push_back(std::move(finding));
+    return findings;
+}
+
+}
