@@ -62,8 +62,8 @@ double critical_step(const ElasticSystem& system) {
     if (system.size() == 0) return 0;
     std::vector<double> inverse_root_mass;
     for (const double mass : system.mass) inverse_root_mass.push_back(1 / std::sqrt(mass));
-    std::vector<Vec3> q = noise(system.size(), 1);
-    q = scaled(std::move(q), 1 / std::sqrt(dot(q, q)));
+    const std::vector<Vec3> start = noise(system.size(), 1);
+    std::vector<Vec3> q = scaled(start, 1 / std::sqrt(dot(start, start)));
     std::vector<Vec3> before(system.size());
     std::vector<Vec3> weighted(system.size());
     std::vector<Vec3> next(system.size());
