@@ -13,6 +13,9 @@ namespace crumple::quality {
 
 namespace {
 
+// Gates ask for angles up to about this; what the shell forces is told up to there.
+constexpr double explained_below_deg = 20;
+
 // Lower is worse.
 double value_of(Badness badness, const std::array<Vec3, 4>& at) {
     const auto& [a, b, c, d] = at;
@@ -143,7 +146,7 @@ PlaceTeller::Worst PlaceTeller::worst(Badness badness, Limit skipped) const {
     const std::vector<Index> order = least_tets(mesh_.positions, mesh_.tets, values, count);
     std::vector<Tet> tets;
     for (const Index t : order) tets.push_back(mesh_.tets[t]);
-    const std::vector<Limit> limits = find_limits(surface_, mesh_.positions, tets);
+    const std::vector<Limit> limits = find_limits(surface_, mesh_.positions, tets, {}, explained_below_deg);
     Worst worst;
     for (std::size_t i = 0; i < order.size() && worst.places.size() < max_places; ++i) {
         if (skipped != Limit::none && limits[i] == skipped) continue;

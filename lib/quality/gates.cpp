@@ -15,7 +15,7 @@ namespace crumple::quality {
 namespace {
 
 constexpr const char* thicken =
-    "thicken the shell there, or cut its triangles finer until an edge is no longer than five times the thickness";
+    "thicken it there, or cut its triangles finer until an edge is no longer than five times the thickness";
 constexpr const char* mend_needle = "collapse the short edge of the shell's needle there, or turn its long one";
 constexpr const char* mesh_better =
     "try more interior points (sample.count) or another seed (sample.seed), with finish.mode full";

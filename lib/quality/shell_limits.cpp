@@ -15,11 +15,17 @@ namespace crumple::quality {
 
 namespace {
 
-constexpr double limit_deg = 10;
 constexpr double reached = 0.9;         // of what thinness allows
 constexpr double needle_reached = 0.5;  // of the needle's corner: a tet's angle over it is often half of it
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
+
+// Of an acute angle; the same bound as everybody's where it is 10 degrees.
+AngleKey key_of(double degrees) {
+    if (degrees == bad_angle_deg) return key_of_10_deg;
+    const double sine = std::sin(degrees * (std::numbers::pi / 180));
+    return sine * sine;
+}
 
 // Which triangles use a node, as one list and where each node's part starts.
 struct Fans {
@@ -150,32 +156,34 @@ private:
     std::vector<double> thickness_;  // F: the ball's diameter, where measured
 };
 
-Limit judge(const Places& places, const Tet& tet, double angle_deg) {
+Limit judge(const Places& places, const Tet& tet, double angle_deg, double below_deg) {
     const double thin = places.thin_limit_deg(tet);
-    if (reached * thin < limit_deg && angle_deg >= reached * thin) return Limit::thin;
+    if (reached * thin < below_deg && angle_deg >= reached * thin) return Limit::thin;
     const double needle = places.needle_deg(tet);
-    if (needle < limit_deg && angle_deg >= needle_reached * needle) return Limit::needle;
+    if (needle < below_deg && angle_deg >= needle_reached * needle) return Limit::needle;
     return Limit::none;
 }
 
 }
 
 std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> positions, std::span<const Tet> tets,
-                               const Context& context) {
+                               const Context& context, double below_deg) {
     std::vector<Limit> limits(tets.size(), Limit::none);
+    const AngleKey below = key_of(below_deg);
     std::vector<Index> bad;
     std::vector<AngleKey> angle;
     for (Index t = 0; t < tets.size(); ++t) {
         const auto& [a, b, c, d] = tets[t];
         const AngleKey key = min_dihedral(positions[a], positions[b], positions[c], positions[d]);
-        if (!(key < key_of_10_deg) || !(key > key_of_0_deg)) continue;
+        if (!(key > key_of_0_deg) || !(key < below)) continue;
         bad.push_back(t);
         angle.push_back(key);
     }
     if (bad.empty() || surface.triangles.empty()) return limits;
     Places places(surface);
     places.prepare(tets, bad, context);
-    for (std::size_t i = 0; i < bad.size(); ++i) limits[bad[i]] = judge(places, tets[bad[i]], degrees_of(angle[i]));
+    for (std::size_t i = 0; i < bad.size(); ++i)
+        limits[bad[i]] = judge(places, tets[bad[i]], degrees_of(angle[i]), below_deg);
     return limits;
 }
 

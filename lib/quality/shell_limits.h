@@ -27,10 +27,13 @@ struct Surface {
     std::span<const Triangle> triangles;
 };
 
-// T: why a tet is below 10 degrees; none for one that is not, or without excuse. t is the diameter of the largest ball
-// inside that touches the middle of a triangle, its mean over the triangles around the tet's corners, e the mean edge
-// there.
+inline constexpr double bad_angle_deg = 10;
+
+// T: why a tet is below that angle, an acute one; none for one that is not, or without excuse. t is the diameter of the
+// largest ball inside that touches the middle of a triangle, its mean over the triangles around the tet's corners, e
+// the mean edge there.
 [[nodiscard]] std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> positions,
-                                             std::span<const Tet> tets, const Context& context = {});
+                                             std::span<const Tet> tets, const Context& context = {},
+                                             double below_deg = bad_angle_deg);
 
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -105,6 +106,15 @@ TEST(ShellLimits, ASliverOnAThickShellHasNoExcuse) {
     for (const Triangle& t : box.triangles) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
     triangles.push_back({0, 1, 2});
     EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::none);
+}
+
+TEST(ShellLimits, OtherAnglesThanTenDegreesCanBeAskedFor) {
+    const TetMesh mesh = layer(6, 1, 0.2);  // atan 0.2 is 11.3 degrees
+    const std::vector<Triangle> faces = boundary_of(mesh).faces;
+    const std::vector<Limit> below_10 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets);
+    const std::vector<Limit> below_20 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets, {}, 20);
+    EXPECT_EQ(std::count(below_10.begin(), below_10.end(), Limit::none), std::ssize(below_10));
+    EXPECT_GT(std::count(below_20.begin(), below_20.end(), Limit::thin), std::ssize(below_20) / 2);
 }
 
 }
