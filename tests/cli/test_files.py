@@ -5,6 +5,7 @@ import random
 import struct
 import unittest
 
+import blob_reader
 import program
 
 try:
@@ -142,7 +143,7 @@ class Compare(program.Case):
     def test_files_of_other_sizes_are_compared(self):
         other = self.path("other.hdf")
         self.ok(self.cook())
-        self.ok(self.cook("--set", "sample.count=40", "--keep-work", output=other))
+        self.ok(self.cook("--set", "sample.points=40", "--keep-work", output=other))
         report = json.loads(program.run("compare", self.output, other, "--format", "json").stdout)
         kinds = {difference["kind"] for difference in report["differing"]}
         self.assertLessEqual({"shape", "only_in_second"}, kinds)
@@ -197,6 +198,28 @@ class Export(program.Case):
             self.ok(program.run("export", source, "-o", self.path(name + ".blob")))
         for ending in (".vtu", ".blob"):
             self.assertEqual(self.path("a" + ending).read_bytes(), self.path("b" + ending).read_bytes())
+
+    @unittest.skipUnless(h5py, "h5py is not installed")
+    def test_a_reader_written_from_the_blobs_document_finds_the_same_arrays(self):
+        self.ok(self.cook(recipe=self.sensor_recipe()))
+        self.ok(program.run("export", self.output, "--blob", self.path("car.blob")))
+        arrays = blob_reader.read(self.path("car.blob").read_bytes())
+        with h5py.File(self.output) as file:
+            expected = []
+            file["bundle"].visititems(lambda name, item: expected.append(name) if isinstance(item, h5py.Dataset) else None)
+            self.assertEqual(sorted(expected), sorted(arrays))
+            for name in expected:
+                stored = file["bundle/" + name][()]
+                if stored.dtype.kind == "S":
+                    stored = [text.decode() for text in stored]
+                self.assertEqual(list(map(str, stored)), list(map(str, arrays[name])), name)
+
+    def sensor_recipe(self):
+        path = self.path("sensor.json")
+        recipe = json.loads((program.SOURCE / "pipelines" / "smoke.json").read_text())
+        recipe.setdefault("bake", {})["sensors"] = [{"name": "top", "by": "box", "box_low": [-2, 0, -2], "box_high": [2, 2, 2]}]
+        path.write_text(json.dumps(recipe))
+        return path
 
     def test_a_damaged_blob_is_refused(self):
         blob = self.path("car.blob")
