@@ -18,7 +18,7 @@ constexpr const char* thicken =
     "thicken it there, or cut its triangles finer until an edge is no longer than five times the thickness";
 constexpr const char* mend_needle = "collapse the short edge of the shell's needle there, or turn its long one";
 constexpr const char* mesh_better =
-    "try more interior points (sample.count) or another seed (sample.seed), with finish.mode full";
+    "try more interior points (sample.points) or another seed (sample.seed), with finish.mode full";
 
 enum class Wanted { high, low };
 

@@ -17,7 +17,7 @@ constexpr double tets_per_point = 5.9;
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
     throw Error(ErrorKind::usage,
-                "sample.count: \"" + std::string(text) + "\" " + why +
+                "sample.points: \"" + std::string(text) + "\" " + why +
                     "; write \"auto\", a number of interior points such as \"500\", or a number of tets "
                     "such as \"tets:5000\"");
 }

@@ -141,10 +141,10 @@ std::vector<double> size_factors(const Shell& shell, bool painted_density, Repor
 
 }
 
-void check_params(const Params& params) { (void)parse_count(params.count); }
+void check_params(const Params& params) { (void)parse_count(params.points); }
 
 Result sample_interior(const Shell& shell, const Params& params, const Context& context) {
-    const Count count = parse_count(params.count);
+    const Count count = parse_count(params.points);
     Result result{{shell.positions, static_cast<Index>(shell.positions.size())}, {}};
     Report& report = result.report;
     report.shell_vertices = shell.positions.size();

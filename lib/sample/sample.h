@@ -21,7 +21,7 @@ inline constexpr EnumName<Method> method_names[] = {{Method::poisson, "poisson"}
 constexpr std::span<const EnumName<Method>> enum_names(Method) { return method_names; }
 
 struct Params {
-    std::string count = "auto";
+    std::string points = "auto";
     Method method = Method::poisson;
     double clearance = 0.4;
     bool painted_density = false;
@@ -50,11 +50,11 @@ struct Report {
                                     // SAMPLE_NO_DENSITY, SAMPLE_OPEN_SHELL, SAMPLE_THIN
 };
 
-inline constexpr Pattern count_pattern{"^(auto|[0-9]{1,7}|tets:0*[1-9][0-9]{0,6})$"};
+inline constexpr Pattern points_pattern{"^(auto|[0-9]{1,7}|tets:0*[1-9][0-9]{0,6})$"};
 
 template <class Visitor, FieldsOf<Params> P>
 void describe(Visitor& visit, P& p) {
-    visit.field("count", p.count, count_pattern,
+    visit.field("points", p.points, points_pattern,
                 "interior points: \"auto\" (as the shell's edges suggest), a number such as \"500\", or \"tets:5000\" "
                 "for about "
                 "that many tets in all");

@@ -35,7 +35,7 @@ double tets_off(const Made& made, double wanted) { return static_cast<double>(ma
 std::optional<Made> search(const MeshCase& of, const std::vector<std::string>& settings, double wanted) {
     const auto cook = [&](const std::string& count) {
         std::vector<std::string> all = settings;
-        all.push_back("sample.count=" + count);
+        all.push_back("sample.points=" + count);
         return of.cook(all);
     };
     const auto points = [](const Made& m) { return static_cast<double>(m.interior_points); };

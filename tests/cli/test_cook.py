@@ -292,7 +292,7 @@ class Budget(program.Case):
         self.shell = program.sphere_obj(self.path("fine.obj"), rings=60, around=90)
         path = self.path("report.json")
         process = self.fails(self.cook("--timeout", "1", "--report", path, "--jobs", "1", "--set", "relax.sweeps=1000",
-                                       "--set", "relax.tolerance=0", "--set", "sample.count=20000"), 6)
+                                       "--set", "relax.tolerance=0", "--set", "sample.points=20000"), 6)
         report = json.loads(path.read_text())
         self.assertIn(report["stopped_in"], ["sample", "delaunay", "relax"])
         self.assertIn("in " + report["stopped_in"], process.stderr)

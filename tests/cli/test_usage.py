@@ -115,7 +115,7 @@ class Usage(program.Case):
         long = "k" * 100000
         recipe = self.path("long.json")
         for text in [f'{{"{long}": 1}}', f'{{"relax": {{"method": "{long}"}}}}', f'{{"a": {{"{long}": 1, "{long}": 2}}}}',
-                     f'{{"description": "{long}", x', f'{{"sample": {{"count": "{long}"}}}}']:
+                     f'{{"description": "{long}", x', f'{{"sample": {{"points": "{long}"}}}}']:
             recipe.write_text(text)
             process = self.fails(self.cook(recipe=str(recipe)), 1)
             self.assertLess(len(process.stderr), 2000, process.stderr[:300])
@@ -173,15 +173,15 @@ class Recipes(program.Case):
         self.fails(self.cook(recipe=self.recipe('{"$schema": 5}')), 1, "$schema", "expected", "text")
 
     def test_text_may_be_quoted_as_in_json(self):
-        report = self.json_of(self.cook("--set", 'sample.count="7"', "--set", 'relax.method="odt"', "--format", "json"))
-        self.assertEqual(report["params"]["sample"]["count"], "7")
+        report = self.json_of(self.cook("--set", 'sample.points="7"', "--set", 'relax.method="odt"', "--format", "json"))
+        self.assertEqual(report["params"]["sample"]["points"], "7")
         self.assertEqual(report["params"]["relax"]["method"], "odt")
 
     def test_values_that_say_nothing_are_refused_before_any_work(self):
         """By recipe and by --set, in a dry run and in a real one."""
         self.shell = self.path("none.ply")  # would be exit 2
-        for setting, *parts in [("sample.count=tets:0", "sample.count", "tets:0"),
-                                ("sample.count=garbage", "sample.count", "garbage"),
+        for setting, *parts in [("sample.points=tets:0", "sample.points", "tets:0"),
+                                ("sample.points=garbage", "sample.points", "garbage"),
                                 ("bake.material_by_role.rigid=engin", "bake.material_by_role.rigid", "nearest: 'engine'"),
                                 ("bake.material_by_role.rigidd=engine", "bake.material_by_role.rigidd", "nearest: 'rigid'"),
                                 ("bake.material_by_component.hood=", "bake.material_by_component.hood")]:
@@ -196,7 +196,7 @@ class Recipes(program.Case):
 
     def test_the_schema_knows_what_a_count_looks_like(self):
         schema = json.loads(self.ok(program.run("dev", "schema", "recipe")).stdout)
-        pattern = schema["properties"]["sample"]["properties"]["count"]["pattern"]
+        pattern = schema["properties"]["sample"]["properties"]["points"]["pattern"]
         for good in ["auto", "0", "500", "tets:5000"]:
             self.assertRegex(good, pattern)
         for bad in ["", "garbage", "tets:0", "tets:", "-1", "500 "]:

@@ -21,7 +21,7 @@ namespace {
 // The stages before this one.
 TetMesh culled(const Shell& shell, const std::string& count = "auto") {
     sample::Params params;
-    params.count = count;
+    params.points = count;
     TetMesh mesh = delaunay::tetrahedralize(sample::sample_interior(shell, params).points).mesh;
     mesh = relax::relax_points(std::move(mesh), shell).mesh;
     return cull::cull_outside(shell, std::move(mesh)).mesh;

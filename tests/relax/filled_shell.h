@@ -11,7 +11,7 @@ namespace crumple::shapes {
 
 inline TetMesh filled(const Shell& shell, std::string count = "auto", sample::Method method = sample::Method::uniform) {
     sample::Params params;
-    params.count = std::move(count);
+    params.points = std::move(count);
     params.method = method;
     return delaunay::tetrahedralize(sample::sample_interior(shell, params).points).mesh;
 }

@@ -14,7 +14,7 @@ namespace {
 
 Result sample_count(const Shell& shell, std::string count) {
     Params params;
-    params.count = std::move(count);
+    params.points = std::move(count);
     return sample_interior(shell, params);
 }
 

@@ -14,7 +14,7 @@ TEST(Uniform, DensityIsTheSameEverywhere) {
     const Shell shell =
         shapes::joined(shapes::subdivided_box(4, {0, 0, 0}, {4, 1, 1}), shapes::icosphere(0.1, 2, {0.5, 0.5, 0.5}));
     Params params;
-    params.count = "8000";
+    params.points = "8000";
     params.method = Method::uniform;
     params.clearance = 0;
     const Result result = sample_interior(shell, params);
@@ -32,9 +32,9 @@ TEST(Uniform, FewerPointsAreThePrefixOfMore) {
     const Shell shell = shapes::icosphere(1, 3);
     Params params;
     params.method = Method::uniform;
-    params.count = "50";
+    params.points = "50";
     const Result few = sample_interior(shell, params);
-    params.count = "60";
+    params.points = "60";
     const Result more = sample_interior(shell, params);
     for (std::size_t i = 0; i < few.points.positions.size(); ++i) {
         EXPECT_EQ(few.points.positions[i], more.points.positions[i]);

@@ -27,7 +27,7 @@ Result sample_painted(const Shell& shell, Method method = Method::poisson, std::
     Params params;
     params.painted_density = true;
     params.method = method;
-    params.count = std::move(count);
+    params.points = std::move(count);
     return sample_interior(shell, params);
 }
 

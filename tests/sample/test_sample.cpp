@@ -28,7 +28,7 @@ bool has_finding(const Report& report, const std::string& code) {
 
 Result sample_count(const Shell& shell, std::string count, Method method = Method::poisson) {
     Params params;
-    params.count = std::move(count);
+    params.points = std::move(count);
     params.method = method;
     return sample_interior(shell, params);
 }
@@ -93,7 +93,7 @@ TEST(Sample, AskingAThinPlateForPointsEndsSoonAndSaysSo) {
 
 TEST(Sample, LowerClearanceLetsPointsIntoAThinPlate) {
     Params params;
-    params.count = "50";
+    params.points = "50";
     params.clearance = 0.01;
     const Shell plate = shapes::thin_plate(0.05);
     const Result result = sample_interior(plate, params);
@@ -251,7 +251,7 @@ TEST(Sample, SamePointsForAnyNumberOfThreads) {
     const Shell shell = shapes::torus();
     for (const Method method : {Method::poisson, Method::uniform}) {
         Params params;
-        params.count = "500";
+        params.points = "500";
         params.method = method;
         const Result alone = sample_interior(shell, params);
         for (const unsigned jobs : {2u, 8u}) {
