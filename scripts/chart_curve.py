@@ -14,8 +14,11 @@ import math
 
 WIDTH, HEIGHT = 300, 220  # of a panel's inside
 LEFT, TOP, GAP_X, GAP_Y = 70, 50, 70, 60
-ROWS = [("p5_dihedral_deg", "5th percentile of the smallest angles, degrees", False),
-        ("pcg_stiff", "iterations of the stiff step", True)]
+# What is drawn over what: quality, its name, whether on a logarithmic scale, fidelity in percent, its name.
+ROWS = [("p5_dihedral_deg", "5th percentile of the smallest angles, degrees", False,
+         lambda row: 100 * abs(row["volume_error"]), "volume error, %"),
+        ("pcg_stiff", "iterations of the stiff step", True,
+         lambda row: 100 * max(row["hausdorff_out"], row["hausdorff_in"]), "farthest stray, % of the diagonal")]
 COLORS = {"none": "#b03a2e", "peel": "#d68910", "full": "#2471a3", "default": "#1e8449"}
 
 
@@ -54,10 +57,6 @@ def text(x, y, words, anchor="middle", more=""):
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {more}>{html.escape(words)}</text>'
 
 
-def error_percent(row):
-    return 100 * abs(row["volume_error"])
-
-
 def label_of(row, last_gap):
     """The points of a full finish lie in a line: its ends are named."""
     if row["finish"] != "full":
@@ -77,8 +76,9 @@ def spread(labels):
     return placed
 
 
-def panel(rows, key, title, logarithmic, left, top):
-    xs, ys = Axis([error_percent(r) for r in rows], WIDTH), Axis([r[key] for r in rows], HEIGHT, logarithmic)
+def panel(rows, axes, left, top):
+    key, title, logarithmic, fidelity, fidelity_title = axes
+    xs, ys = Axis([fidelity(r) for r in rows], WIDTH), Axis([r[key] for r in rows], HEIGHT, logarithmic)
     parts = [f'<rect x="{left}" y="{top}" width="{WIDTH}" height="{HEIGHT}" class="frame"/>']
     for tick in xs.ticks():
         x = left + xs.place(tick)
@@ -88,18 +88,19 @@ def panel(rows, key, title, logarithmic, left, top):
         y = top + HEIGHT - ys.place(tick)
         parts.append(f'<line x1="{left}" x2="{left + WIDTH}" y1="{y:.1f}" y2="{y:.1f}" class="grid"/>')
         parts.append(text(left - 6, y + 4, f"{tick:g}", "end"))
-    points = [(left + xs.place(error_percent(r)), top + HEIGHT - ys.place(r[key]), r) for r in rows]
+    points = [(left + xs.place(fidelity(r)), top + HEIGHT - ys.place(r[key]), r) for r in rows]
     full = " ".join(f"{x:.1f},{y:.1f}" for x, y, r in points if r["finish"] == "full")
     parts.append(f'<polyline points="{full}" class="line"/>')
     for x, y, row in points:
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{COLORS[row["finish"]]}"/>')
     last_gap = max(row["surface_gap_diagonal"] for row in rows)
+    points.sort(key=lambda point: label_of(point[2], last_gap) == "default")  # on top, its label last
     labels = [(x, y - 7, row) for x, y, row in points if label_of(row, last_gap)]
     for on_right in (False, True):
         for x, y, row in spread([label for label in labels if (label[0] > left + WIDTH / 2) == on_right]):
             anchor, shift = ("end", -3) if on_right else ("start", 3)
             parts.append(text(x + shift, y, label_of(row, last_gap), anchor, f'style="fill:{COLORS[row["finish"]]}"'))
-    parts.append(text(left + WIDTH / 2, top + HEIGHT + 30, "volume error, %"))
+    parts.append(text(left + WIDTH / 2, top + HEIGHT + 30, fidelity_title))
     parts.append(text(0, 0, title, "middle", f'transform="translate({left - 46} {top + HEIGHT / 2}) rotate(-90)"'))
     return parts
 
@@ -116,8 +117,8 @@ def draw(rows):
         own = [row for row in rows if row["shell"] == shell and row["tets"] is not None]
         left = LEFT + column * (WIDTH + GAP_X)
         parts.append(text(left + WIDTH / 2, TOP - 16, shell, "middle", 'style="font-weight:bold;font-size:14px"'))
-        for line, (key, title, logarithmic) in enumerate(ROWS):
-            parts += panel(own, key, title, logarithmic, left, TOP + line * (HEIGHT + GAP_Y))
+        for line, axes in enumerate(ROWS):
+            parts += panel(own, axes, left, TOP + line * (HEIGHT + GAP_Y))
     return "\n".join(parts + ["</svg>", ""])
 
 
