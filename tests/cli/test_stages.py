@@ -130,7 +130,7 @@ class Points(program.Case):
             "a.xyz": "\n".join(rows),
             "b.xyz": f"{len(rows)}\n" + "\n".join(rows) + "\n",
             "c.csv": "x,y,z\n" + "\n".join(row.replace(" ", ",") for row in rows) + "\n",
-            "d.tsv": "\n".join(row.replace(" ", "\t") + "\t9\t9" for row in rows),
+            "d.tsv": "\n".join(row.replace(" ", "\t") for row in rows),
             "e.txt": "# made by hand\r\n\r\n" + "\r\n".join(row.replace(" ", "; ") for row in rows),
             "f.obj": "o cloud\n" + "\n".join("v " + row for row in rows),
             "g.node": f"{len(rows)} 3 0 0\n" + "\n".join(f"{i + 1} {row}" for i, row in enumerate(rows)),
