@@ -28,9 +28,9 @@ inline Shell solid_of(std::vector<Vec3> positions, std::vector<Triangle> triangl
     return shell;
 }
 
-// The prism over a regular polygon whose top is turned, in layers, its side faces folded inwards along the diagonals that
-// the turning makes long. With three sides and one layer this is Schoenhardt's polyhedron: it cannot be cut into tets
-// without a further node.
+// The prism over a regular polygon whose top is turned, in layers, its side faces folded inwards along the diagonals
+// that the turning makes long. With three sides and one layer this is Schoenhardt's polyhedron: it cannot be cut into
+// tets without a further node.
 inline Shell twisted_prism(int sides = 3, int layers = 1, double turn = std::numbers::pi / 6, double height = 1) {
     std::vector<Vec3> positions;
     std::vector<Triangle> triangles;
@@ -43,7 +43,8 @@ inline Shell twisted_prism(int sides = 3, int layers = 1, double turn = std::num
     }
     for (int layer = 0; layer < layers; ++layer) {
         for (int side = 0; side < sides; ++side) {
-            const Index a = at(layer, side), b = at(layer, side + 1), c = at(layer + 1, side), d = at(layer + 1, side + 1);
+            const Index a = at(layer, side), b = at(layer, side + 1), c = at(layer + 1, side),
+                        d = at(layer + 1, side + 1);
             triangles.push_back({a, b, d});
             triangles.push_back({a, d, c});
         }
@@ -55,8 +56,8 @@ inline Shell twisted_prism(int sides = 3, int layers = 1, double turn = std::num
     return solid_of(std::move(positions), std::move(triangles));
 }
 
-// The plate between two copies of y = x z on [-1, 1]^2, `gap` apart, every cell folded the hollow way: the two sides come
-// near each other along skew lines, as in Chazelle's polyhedron.
+// The plate between two copies of y = x z on [-1, 1]^2, `gap` apart, every cell folded the hollow way: the two sides
+// come near each other along skew lines, as in Chazelle's polyhedron.
 inline Shell saddle_plate(int cells = 6, double gap = 0.05) {
     std::vector<Vec3> positions;
     std::vector<Triangle> triangles;
@@ -106,8 +107,8 @@ inline Shell rough_ball(int levels, double least, double most, std::uint64_t see
     return shell;
 }
 
-// A tube around the closed curve that winds p times around the y axis while it goes q times around a ring: (2, 3) is the
-// trefoil knot.
+// A tube around the closed curve that winds p times around the y axis while it goes q times around a ring: (2, 3) is
+// the trefoil knot.
 inline Shell knot(int p = 2, int q = 3, double radius = 0.35, int around = 60, int across = 6) {
     std::vector<Vec3> positions;
     std::vector<Triangle> triangles;
