@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "finish/node_operations.h"
-#include "finish/surface_contraction.h"
+#include "finish/surface_operations.h"
 
 namespace crumple::finish {
 
@@ -45,7 +45,7 @@ bool merge(WorkMesh& mesh, const SurfaceGuard& guard, Index node, std::vector<In
     for (const Near& other : crowding_nodes(mesh, node, star)) {
         const bool is_planned = mesh.is_free[node]
                                     ? plan_contraction(mesh, node, star, other.node, floor, exchange)
-                                    : plan_surface_contraction(mesh, guard, node, star, other.node, floor, exchange);
+                                    : plan_surface_operations(mesh, guard, node, star, other.node, floor, exchange);
         if (!is_planned) continue;
         (void)apply(mesh, exchange);
         return true;

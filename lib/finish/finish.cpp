@@ -32,6 +32,13 @@ void repair(TetMesh& mesh, const Shell& shell, Report& report, const Context& co
                      repaired.report.removed,      repaired.report.added,        repaired.report.split};
 }
 
+double largest_slide(const Shell& shell, const TetMesh& mesh) {
+    double largest = 0;
+    for (std::size_t v = 0; v < shell.positions.size(); ++v)
+        largest = std::max(largest, length(mesh.positions[v] - shell.positions[v]));
+    return largest;
+}
+
 class Finisher {
 public:
     Finisher(const SurfaceGuard& guard, const TetMesh& mesh, const Params& params, Report& report,
@@ -56,7 +63,8 @@ public:
 
     void improve() {
         const ImproveReport improved = improve_shapes(
-            work_, guard_, {params_.target_deg, params_.insert_below_deg, params_.rounds, budget_ - report_.tried},
+            work_, guard_,
+            {params_.target_deg, params_.insert_below_deg, params_.slide, params_.rounds, budget_ - report_.tried},
             context_);
         Operations& sum = report_.operations;
         sum.edge_removals += improved.edge_removals;
@@ -65,6 +73,7 @@ public:
         sum.moves += improved.moves;
         sum.contractions += improved.contractions;
         sum.insertions += improved.insertions;
+        sum.slides += improved.slides;
         report_.is_out_of_budget |= improved.is_out_of_budget;
         report_.rounds_run += improved.rounds;
         report_.tried += improved.tried;
@@ -119,6 +128,7 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
     }
     result.mesh = finisher.mesh();
     report.after = quality::summarize(result.mesh, context);
+    report.largest_slide = largest_slide(shell, result.mesh);
     report.volume_change = report.before.volume > 0 ? report.after.volume / report.before.volume - 1 : 0;
     judge_result(shell, result.mesh, report, context);
     return result;

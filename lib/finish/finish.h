@@ -31,6 +31,7 @@ struct Params {
     double surface_gap_diagonal = 1e-3;
     double target_deg = 40;
     double insert_below_deg = 10;
+    double slide = 0;
     std::uint32_t rounds = 10;
     std::uint32_t budget = 400;
 };
@@ -51,6 +52,10 @@ void describe(Visitor& visit, P& p) {
     visit.field("target_deg", p.target_deg, Range{0, 60}, "tets as good as this smallest angle are left alone");
     visit.field("insert_below_deg", p.insert_below_deg, Range{0, 60},
                 "tets worse than this may get a node of their own");
+    visit.field(
+        "slide", p.slide, Range{0, 0.5},
+        "how far an unlocked shell vertex on a smooth part may slide along it, in its shortest edges; 0: no shell "
+        "vertex ever moves");
     visit.field("rounds", p.rounds, Range{0, 1000}, "over all bad tets whose surroundings changed, at most");
     visit.field("budget", p.budget, Range{0, 1e6}, "operations tried for each tet, on average, at most");
 }
@@ -62,6 +67,7 @@ struct Operations {
     std::uint64_t moves = 0;
     std::uint64_t contractions = 0;
     std::uint64_t insertions = 0;
+    std::uint64_t slides = 0;
 };
 
 template <class Visitor, FieldsOf<Operations> P>
@@ -72,6 +78,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("moves", p.moves, "steps of interior nodes");
     visit.field("contractions", p.contractions, "interior nodes merged into a neighbour");
     visit.field("insertions", p.insertions, "interior nodes added");
+    visit.field("slides", p.slides, "steps of shell vertices");
 }
 
 struct Repair {
@@ -101,6 +108,7 @@ struct Report {
     std::uint64_t peeled_tets = 0;
     std::uint64_t restored_tets = 0;
     double volume_change = 0;
+    double largest_slide = 0;
     Operations operations;
     std::uint32_t rounds_run = 0;
     std::uint64_t tried = 0;
@@ -122,6 +130,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("peeled_tets", p.peeled_tets, "flat tets taken off the surface");
     visit.field("restored_tets", p.restored_tets, "of those, tets that lay outside the shell's own triangles");
     visit.field("volume_change", p.volume_change, "volume now over volume before, less 1");
+    visit.field("largest_slide", p.largest_slide, "metres, the farthest a shell vertex went");
     visit.field("operations", p.operations, "what was done");
     visit.field("rounds_run", p.rounds_run, "over all bad tets whose surroundings changed");
     visit.field("tried", p.tried, "operations tried, whether they led to a change or not");
@@ -134,7 +143,8 @@ void describe(Visitor& visit, P& p) {
 }
 
 struct Result {
-    TetMesh mesh;  // shell vertices at their index and place; interior nodes moved, dropped and added at the end
+    TetMesh mesh;  // shell vertices at their index and, without slide, their place; interior nodes moved, dropped and
+                   // added at the end
     Report report;
 };
 

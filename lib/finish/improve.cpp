@@ -7,13 +7,13 @@
 #include "finish/edge_removal.h"
 #include "finish/face_removal.h"
 #include "finish/node_operations.h"
-#include "finish/surface_contraction.h"
+#include "finish/surface_operations.h"
 
 namespace crumple::finish {
 
 namespace {
 
-// A change must raise the worst shape by this much: keeps the last digits from buying rounds.
+// A change must raise the worst shape by this share: keeps the last digits from buying rounds.
 constexpr double least_gain = 5e-3;
 
 class Improver {
@@ -76,12 +76,13 @@ private:
     }
 
     bool mend(Index tet) {
-        return mend_by_exchange(tet) || mend_by_move(tet) || mend_by_contraction(tet) || mend_by_insertion(tet);
+        return mend_by_exchange(tet) || mend_by_move(tet) || mend_by_slide(tet) || mend_by_contraction(tet) ||
+               mend_by_insertion(tet);
     }
 
     // The best of all edges and faces of the tet.
     bool mend_by_exchange(Index tet) {
-        double floor = mesh_.shape(tet) + least_gain;
+        double floor = mesh_.shape(tet) * (1 + least_gain);
         std::uint64_t* counter = nullptr;
         const Tet corners = mesh_.complex.corners(tet);
         for (const auto& edge : tet_edge_corners) {
@@ -117,7 +118,7 @@ private:
 
     bool mend_by_move(Index tet) {
         const Tet corners = mesh_.complex.corners(tet);
-        const double floor = mesh_.shape(tet) + least_gain;
+        const double floor = mesh_.shape(tet) * (1 + least_gain);
         bool has_moved = false;
         for (const Index v : corners) {
             if (!mesh_.is_free[v] || !find_own_star(tet, v) || !spend()) continue;
@@ -131,9 +132,43 @@ private:
         return has_moved;
     }
 
+    // A shell vertex on a smooth part of the surface.
+    [[nodiscard]] bool may_slide(Index node) const {
+        const std::vector<std::uint8_t>& smooth = guard_.smooth_vertices();
+        return node < smooth.size() && smooth[node] && mesh_.is_on_surface[node] && !mesh_.is_pinched[node];
+    }
+
+    bool mend_by_slide(Index tet) {
+        if (!(limits_.slide > 0)) return false;
+        const Tet corners = mesh_.complex.corners(tet);
+        const double floor = mesh_.shape(tet) * (1 + least_gain);
+        for (const Index v : corners) {
+            if (!may_slide(v) || !find_own_star(tet, v) || !is_of_one_region(mesh_, star_) || !spend()) continue;
+            const auto better =
+                plan_slide(mesh_, guard_, v, star_, guard_.home(v), limits_.slide * shortest_edge(v), floor);
+            if (!better) continue;
+            move_node(mesh_, v, better->place, star_);
+            ++report_.slides;
+            offer(star_);
+            return true;
+        }
+        return false;
+    }
+
+    // At a node of star_, at its home.
+    [[nodiscard]] double shortest_edge(Index node) const {
+        double shortest = 1e300;
+        for (const Index t : star_) {
+            for (const Index v : mesh_.complex.corners(t)) {
+                if (v != node) shortest = std::min(shortest, length(mesh_.at(v) - guard_.home(node)));
+            }
+        }
+        return shortest;
+    }
+
     bool mend_by_contraction(Index tet) {
         const Tet corners = mesh_.complex.corners(tet);
-        double floor = mesh_.shape(tet) + least_gain;
+        double floor = mesh_.shape(tet) * (1 + least_gain);
         bool is_found = false;
         for (const Index v : corners) {
             if (!(mesh_.is_free[v] || mesh_.is_surplus[v]) || !find_own_star(tet, v)) continue;
@@ -151,7 +186,7 @@ private:
 
     bool plan_merge(Index node, Index target, double floor) {
         return mesh_.is_free[node] ? plan_contraction(mesh_, node, star_, target, floor, exchange_)
-                                   : plan_surface_contraction(mesh_, guard_, node, star_, target, floor, exchange_);
+                                   : plan_surface_operations(mesh_, guard_, node, star_, target, floor, exchange_);
     }
 
     bool mend_by_insertion(Index tet) {

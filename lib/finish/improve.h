@@ -14,6 +14,7 @@ namespace crumple::finish {
 struct ImproveLimits {
     double target_deg = 40;        // tets whose shape is that of this smallest angle are left alone
     double insert_below_deg = 10;  // worse ones may get a node of their own
+    double slide = 0;              // how far a shell vertex may go, in its shortest edges; 0: never
     std::uint32_t rounds = 10;     // over all tets below the target whose surroundings changed
     std::uint64_t budget = 0;      // operations tried at most
 };
@@ -25,6 +26,7 @@ struct ImproveReport {
     std::uint64_t moves = 0;
     std::uint64_t contractions = 0;
     std::uint64_t insertions = 0;
+    std::uint64_t slides = 0;
     std::uint32_t rounds = 0;
     std::uint64_t tried = 0;  // operations, whether they led to a change or not
     bool is_out_of_budget = false;

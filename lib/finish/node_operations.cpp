@@ -22,18 +22,23 @@ OppositeFace places_of(const WorkMesh& mesh, const Triangle& face) {
     return {mesh.at(face[0]), mesh.at(face[1]), mesh.at(face[2])};
 }
 
-bool is_positive_towards(Vec3 node, const std::vector<OppositeFace>& faces) {
+}
+
+bool is_positive_towards(Vec3 node, std::span<const OppositeFace> faces) {
     return std::all_of(faces.begin(), faces.end(),
                        [&](const OppositeFace& f) { return orient3d(node, f[0], f[1], f[2]) > 0; });
 }
 
-}
-
-std::optional<BetterPlace> plan_move(const WorkMesh& mesh, Index node, std::span<const Index> star, double floor) {
+std::vector<OppositeFace> opposite_faces(const WorkMesh& mesh, Index node, std::span<const Index> star) {
     std::vector<OppositeFace> faces;
     faces.reserve(star.size());
     for (const Index t : star)
         faces.push_back(places_of(mesh, facing(mesh.complex.corners(t), mesh.complex.corner_of(t, node))));
+    return faces;
+}
+
+std::optional<BetterPlace> plan_move(const WorkMesh& mesh, Index node, std::span<const Index> star, double floor) {
+    std::vector<OppositeFace> faces = opposite_faces(mesh, node, star);
     const auto better = find_better_place(mesh.at(node), faces, floor);
     if (!better || !is_positive_towards(better->place, faces)) return std::nullopt;
     return better;

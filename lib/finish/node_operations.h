@@ -14,6 +14,12 @@ namespace crumple::finish {
 [[nodiscard]] std::optional<BetterPlace> plan_move(const WorkMesh& mesh, Index node, std::span<const Index> star,
                                                    double floor);
 
+// The faces opposite a node in the tets of its star.
+[[nodiscard]] std::vector<OppositeFace> opposite_faces(const WorkMesh& mesh, Index node, std::span<const Index> star);
+
+// Whether each of them makes a positive tet with a node at this place, exactly.
+[[nodiscard]] bool is_positive_towards(Vec3 node, std::span<const OppositeFace> faces);
+
 // The star of a free node without it: every face opposite it is joined to `target`, a node of the star. False unless
 // every new tet is better than `floor` and exactly positive.
 [[nodiscard]] bool plan_contraction(const WorkMesh& mesh, Index node, std::span<const Index> star, Index target,

@@ -30,10 +30,16 @@ void collect_terms(Vec3 node, const std::vector<OppositeFace>& faces, std::vecto
     }
 }
 
-Vec3 ascent(const std::vector<Term>& terms, double least, std::vector<Vec3>& pulls) {
+// Without its part along the normal.
+Vec3 across(Vec3 a, Vec3 normal) {
+    const double size_2 = dot(normal, normal);
+    return size_2 > 0 ? a - normal * (dot(a, normal) / size_2) : a;
+}
+
+Vec3 ascent(const std::vector<Term>& terms, double least, Vec3 normal, std::vector<Vec3>& pulls) {
     pulls.clear();
     for (const Term& term : terms) {
-        if (term.value <= least * (1 + active_share)) pulls.push_back(term.gradient);
+        if (term.value <= least * (1 + active_share)) pulls.push_back(across(term.gradient, normal));
     }
     return shortest_in_hull(pulls);
 }
@@ -94,7 +100,8 @@ Vec3 shortest_in_hull(std::span<const Vec3> vectors) {
     return nearest;
 }
 
-std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace>& faces, double floor) {
+std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace>& faces, double floor,
+                                             const Leash& leash) {
     std::vector<Term> terms;
     std::vector<Vec3> pulls;
     BetterPlace best{node, least_at(node, faces, -1)};
@@ -103,13 +110,14 @@ std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace
     const double reach = longest_step(node, faces);
     for (int step = 0; step < max_steps; ++step) {
         collect_terms(best.place, faces, terms);
-        const Vec3 direction = ascent(terms, best.least, pulls);
+        const Vec3 direction = ascent(terms, best.least, leash.normal, pulls);
         const double speed = length(direction);
         if (!(speed * reach > 1e-3 * best.least)) break;
         double along = std::min(predicted_step(terms, best.least, direction), reach / speed);
         const double before = best.least;
         for (int halving = 0; halving <= max_halvings; ++halving, along *= 0.5) {
             const Vec3 place = round_to_float(best.place + direction * along);
+            if (length(place - node) > leash.reach) continue;
             const double least = least_at(place, faces, best.least);
             if (!(least > best.least)) continue;
             best = {place, least};

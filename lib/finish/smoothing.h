@@ -20,9 +20,16 @@ struct BetterPlace {
     double least;  // shape of the worst tet there
 };
 
+// Where the node may go.
+struct Leash {
+    Vec3 normal{};         // it moves in the plane across this; zero: in space
+    double reach = 1e300;  // no farther than this in all
+};
+
 // None where no step makes the worst tet better than `floor`. Tets at the new place have a positive shape, as floating
 // point sees it. Reorders `faces`.
-[[nodiscard]] std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace>& faces, double floor);
+[[nodiscard]] std::optional<BetterPlace> find_better_place(Vec3 node, std::vector<OppositeFace>& faces, double floor,
+                                                           const Leash& leash = {});
 
 // The vector of least length in the convex hull of `vectors`, to about a percent; zero for none.
 [[nodiscard]] Vec3 shortest_in_hull(std::span<const Vec3> vectors);

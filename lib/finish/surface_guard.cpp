@@ -77,12 +77,19 @@ SurfaceGuard::SurfaceGuard(const Shell& shell, const SurfaceLimits& limits)
       triangles_(boxes_of(shell)) {
     const double sine = shape_of_angle(limits.fold_deg);
     fold_sine_2_ = sine * sine;
+    const double smooth_sine = shape_of_angle(smooth_fold_deg);
+    is_smooth_.assign(shell.positions.size(), 1);
+    for (Index v = 0; v < is_smooth_.size(); ++v) is_smooth_[v] = !is_locked(shell, v);
     for (const Triangle& t : shell.triangles) faces_.push_back(turned(t));
     std::sort(faces_.begin(), faces_.end());
     const std::vector<Side> sides = sides_of(shell);
     for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
         while (next < sides.size() && sides[next].edge == sides[i].edge) ++next;
         const auto& [a, b] = sides[i].edge;
+        if (next - i != 2 || !is_fold_within(normal_of(shell, sides[i].face), normal_of(shell, sides[i + 1].face),
+                                             smooth_sine * smooth_sine)) {
+            is_smooth_[a] = is_smooth_[b] = 0;
+        }
         if (next - i != 2 || (is_locked(shell, a) && is_locked(shell, b)) ||
             shell.component[sides[i].face] != shell.component[sides[i + 1].face]) {
             marked_.push_back(sides[i].edge);
@@ -155,6 +162,23 @@ bool SurfaceGuard::may_contract(std::span<const Vec3> at, std::span<const Edge> 
             std::min(nearest, length(closest_point_on_triangle(at[target], at[from], at[to], at[node]) - at[node]));
     }
     return nearest <= std::max(limit, rounding);
+}
+
+bool SurfaceGuard::may_slide(std::span<const Vec3> at, std::span<const Edge> link, Index node, Vec3 home,
+                             Vec3 to) const {
+    const double smooth_sine = shape_of_angle(smooth_fold_deg);
+    double nearest = 1e300;
+    double edges = 0;
+    for (const auto& [a, b] : link) {
+        const Vec3 before = area_vector(at[node], at[a], at[b]);
+        if (!is_fold_within(before, area_vector(to, at[a], at[b]), smooth_sine * smooth_sine)) return false;
+        nearest = std::min(nearest, length(closest_point_on_triangle(to, at[a], at[b], home) - home));
+        edges += length(at[a] - at[node]);
+    }
+    if (link.empty()) return false;
+    const double mean_edge = edges / static_cast<double>(link.size());
+    const double limit = std::min(limits_.share_of_edge * mean_edge, limits_.share_of_diagonal * diagonal_);
+    return nearest <= limit && distance_to_shell(to) <= limit;
 }
 
 }

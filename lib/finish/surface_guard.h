@@ -3,6 +3,7 @@
 // beside it only where that is as good as flat, keeps to the shell and crosses nothing that means something to the
 // artist.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct SurfaceLimits {
     double share_of_diagonal = 1e-3;  // the same over the shell's box diagonal
 };
 
+// A vertex whose edges fold less lies on a smooth part of the shell and not on one of its features.
+inline constexpr double smooth_fold_deg = 15;
+
 class SurfaceGuard {
 public:
     // Keeps a reference to the shell.
@@ -31,6 +35,17 @@ public:
     // those that have the target vanish.
     [[nodiscard]] bool may_contract(std::span<const Vec3> at, std::span<const Edge> link, Index node,
                                     Index target) const;
+
+    // Whether a node of the surface may go from its place to `to`: the faces around it, as the edges opposite it, keep
+    // their normals, the new place keeps to the shell and `home` to the new faces.
+    [[nodiscard]] bool may_slide(std::span<const Vec3> at, std::span<const Edge> link, Index node, Vec3 home,
+                                 Vec3 to) const;
+
+    // Where the artist put a shell vertex.
+    [[nodiscard]] Vec3 home(Index vertex) const { return shell_.positions[vertex]; }
+
+    // By shell vertex: not painted, on no edge that is marked or folds by more than smooth_fold_deg.
+    [[nodiscard]] const std::vector<std::uint8_t>& smooth_vertices() const { return is_smooth_; }
 
     // An edge of the shell that is painted (both ends locked) or has not just two triangles of one component.
     [[nodiscard]] bool is_marked(Index a, Index b) const;
@@ -53,6 +68,7 @@ private:
     double diagonal_;
     SurfaceDistance surface_;
     Bvh triangles_;
+    std::vector<std::uint8_t> is_smooth_;
     std::vector<Edge> marked_;     // ascending
     std::vector<Edge> sharp_;      // of the shell, not flat to the limit; ascending
     std::vector<Triangle> faces_;  // smallest corner first, ascending

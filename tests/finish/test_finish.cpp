@@ -225,6 +225,39 @@ TEST(Finish, LocksStayWhereTheyAreAndPaintedEdgesOnTheSurface) {
     }
 }
 
+TEST(Finish, ShellVerticesSlideOnlyWhenAskedAndNeverFarNorWhenPaintedNorOffTheirFace) {
+    Shell shell = shapes::subdivided_box(5);
+    for (std::size_t v = 0; v < shell.positions.size(); ++v) {
+        Vec3& p = shell.positions[v];
+        // Push the vertices of the faces about, each within its own.
+        const double push = 0.08 * (static_cast<double>(v * 7 % 11) / 11 - 0.5);
+        if (p.y > 0 && p.y < 1 && p.x > 0 && p.x < 1) p = round_to_float({p.x + push, p.y - push, p.z});
+        shell.locked[v] = p.z == 1;
+    }
+    const TetMesh mesh = culled(shell);
+    EXPECT_EQ(finish_mesh(shell, mesh).report.largest_slide, 0);
+    Params params;
+    params.slide = 0.2;
+    const Result result = finish_mesh(shell, mesh, params);
+    EXPECT_TRUE(small::is_all_positive(result.mesh));
+    EXPECT_GT(result.report.operations.slides, 0u);
+    EXPECT_GT(result.report.largest_slide, 0);
+    EXPECT_LE(result.report.largest_slide, 0.2 * 0.3);
+    for (std::size_t v = 0; v < shell.positions.size(); ++v) {
+        const Vec3 before = shell.positions[v];
+        const Vec3 after = result.mesh.positions[v];
+        if (shell.locked[v]) {
+            EXPECT_EQ(before, after);
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            if (before[axis] == 0 || before[axis] == 1) {
+                EXPECT_NEAR(before[axis], after[axis], 1e-6);
+            }
+        }
+    }
+    EXPECT_NEAR(result.report.after.volume, 1, 1e-5);
+}
+
 TEST(Finish, SameBytesForAnyNumberOfThreads) {
     const Shell shell = shapes::torus(1, 0.4, 24, 12);
     const TetMesh mesh = culled(shell);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finish/surface_contraction.h"
+#include "finish/surface_operations.h"
 
 #include <algorithm>
 
 #include "finish/node_operations.h"
+#include "geometry/measures.h"
 
 namespace crumple::finish {
 
@@ -22,7 +23,8 @@ std::vector<Index> neighbours_of_node(const WorkMesh& mesh, Index node, std::spa
     return nodes;
 }
 
-// Exposed faces at the node as the edges opposite it, so that (node, from, to) is counter-clockwise from outside.
+}
+
 std::vector<Edge> surface_link(const WorkMesh& mesh, Index node, std::span<const Index> star) {
     std::vector<Edge> link;
     for (const Index t : star) {
@@ -37,6 +39,8 @@ std::vector<Edge> surface_link(const WorkMesh& mesh, Index node, std::span<const
     }
     return link;
 }
+
+namespace {
 
 // Merging two nodes leaves a manifold when nodes that are neighbours of both lie around their edge, in the mesh and on
 // the surface (the link condition) [Dey, Edelsbrunner, Guha, Nekhayev 1999].
@@ -67,13 +71,28 @@ bool keeps_manifold(const WorkMesh& mesh, Index node, std::span<const Index> sta
 
 }
 
-bool plan_surface_contraction(const WorkMesh& mesh, const SurfaceGuard& guard, Index node, std::span<const Index> star,
-                              Index target, double floor, Exchange& exchange) {
+bool plan_surface_operations(const WorkMesh& mesh, const SurfaceGuard& guard, Index node, std::span<const Index> star,
+                             Index target, double floor, Exchange& exchange) {
     if (!mesh.is_on_surface[target] || mesh.is_pinched[target]) return false;
     const std::vector<Edge> link = surface_link(mesh, node, star);
     return guard.may_contract(mesh.complex.positions(), link, node, target) &&
            plan_contraction(mesh, node, star, target, floor, exchange) &&
            keeps_manifold(mesh, node, star, target, link);
+}
+
+std::optional<BetterPlace> plan_slide(const WorkMesh& mesh, const SurfaceGuard& guard, Index node,
+                                      std::span<const Index> star, Vec3 home, double reach, double floor) {
+    const std::vector<Edge> link = surface_link(mesh, node, star);
+    const Vec3 at = mesh.at(node);
+    Leash leash;
+    for (const auto& [from, to] : link) leash.normal += area_vector(at, mesh.at(from), mesh.at(to));
+    leash.reach = reach - length(at - home);
+    if (link.empty() || !(leash.reach > 0)) return std::nullopt;
+    std::vector<OppositeFace> faces = opposite_faces(mesh, node, star);
+    const auto better = find_better_place(at, faces, floor, leash);
+    if (!better || !is_positive_towards(better->place, faces)) return std::nullopt;
+    if (!guard.may_slide(mesh.complex.positions(), link, node, home, better->place)) return std::nullopt;
+    return better;
 }
 
 }

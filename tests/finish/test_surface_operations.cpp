@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finish/surface_contraction.h"
+#include "finish/surface_operations.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ bool contract(const TetMesh& mesh, const Shell& shell, Index target, TetMesh* re
     std::vector<Index> star;
     work.complex.star_of(5, star);
     Exchange exchange;
-    if (!plan_surface_contraction(work, guard, 5, star, target, 0, exchange)) return false;
+    if (!plan_surface_operations(work, guard, 5, star, target, 0, exchange)) return false;
     (void)apply(work, exchange);
     if (result) *result = take_mesh(work);
     return true;
