@@ -4,6 +4,7 @@
 
 #include "solver/blob_view.h"
 #include "solver/c_handles.h"
+#include "solver/check_state.h"
 
 namespace crumple::solver {
 namespace {
@@ -211,7 +212,10 @@ crumple_status crumple_save(const crumple_instance* instance, void* bytes, size_
 crumple_status crumple_restore(crumple_instance* instance, const void* bytes, size_t size) {
     if (instance == nullptr || bytes == nullptr || size != crumple_state_size(instance)) return CRUMPLE_BAD_ARGUMENT;
     std::memcpy(instance->memory.get().data(), bytes, size);
-    return CRUMPLE_OK;
+    const Model& model = instance->model->model;
+    if (first_problem(model, instance->state) == nullptr) return CRUMPLE_OK;
+    instance->state = make_state(model, instance->settings.plasticity, instance->memory.get());
+    return CRUMPLE_BAD_ARGUMENT;
 }
 
 void crumple_wake(crumple_instance* instance) {

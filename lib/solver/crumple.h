@@ -139,7 +139,8 @@ const float* crumple_positions(const crumple_instance* instance);
 const float* crumple_velocities(const crumple_instance* instance);
 crumple_status crumple_set_velocity(crumple_instance* instance, uint32_t node, crumple_vec3f velocity);
 
-/* The state as bytes: equal bytes are equal states. Restore takes what save gave for the same blob and settings. */
+/* The state as bytes: equal bytes are equal states. Restore takes what save gave for the same blob and settings; other
+ * bytes are refused, and the body is as after crumple_instance_create. */
 size_t crumple_state_size(const crumple_instance* instance);
 crumple_status crumple_save(const crumple_instance* instance, void* bytes, size_t size);
 crumple_status crumple_restore(crumple_instance* instance, const void* bytes, size_t size);

@@ -11,6 +11,7 @@
 #include "bundle/aligned_bytes.h"
 #include "bundle/blob.h"
 #include "bundle/small_bundle.h"
+#include "core/random.h"
 #include "solver/instance.h"
 #include "solver/use_c_interface.h"
 
@@ -146,6 +147,36 @@ TEST(CProgram, TakesNoMemoryInAStep) {
     const crumple_input input = crumple_default_input();
     for (int i = 0; i < 5; ++i) EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, nullptr), CRUMPLE_OK);
     EXPECT_EQ(heap.requests, requests);
+    crumple_instance_destroy(instance);
+    crumple_workspace_destroy(workspace);
+    crumple_model_destroy(model);
+}
+
+// A state from a damaged save: refused, or stepped without harm (sanitizers watch).
+TEST(CProgram, MayRestoreBytesFromAnywhere) {
+    const AlignedBytes blob(write_blob(tower()));
+    crumple_model* model = nullptr;
+    crumple_workspace* workspace = nullptr;
+    crumple_instance* instance = nullptr;
+    ASSERT_EQ(crumple_model_create(blob.get().data(), blob.get().size(), nullptr, &model, nullptr), CRUMPLE_OK);
+    ASSERT_EQ(crumple_workspace_create(model, nullptr, &workspace), CRUMPLE_OK);
+    ASSERT_EQ(crumple_instance_create(model, nullptr, nullptr, &instance), CRUMPLE_OK);
+    const crumple_input input = crumple_default_input();
+    for (int i = 0; i < 3; ++i) crumple_step(instance, workspace, &input, nullptr, nullptr);
+    std::vector<std::byte> good(crumple_state_size(instance));
+    ASSERT_EQ(crumple_save(instance, good.data(), good.size()), CRUMPLE_OK);
+    Rng rng(5);
+    int refused = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<std::byte> bytes = good;
+        for (int change = 0; change < 4; ++change) {
+            bytes[rng.next_below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::byte>(rng.next_u32());
+        }
+        refused += crumple_restore(instance, bytes.data(), bytes.size()) == CRUMPLE_OK ? 0 : 1;
+        EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, nullptr), CRUMPLE_OK);
+    }
+    EXPECT_GT(refused, 20);
+    EXPECT_EQ(crumple_restore(instance, good.data(), good.size()), CRUMPLE_OK);
     crumple_instance_destroy(instance);
     crumple_workspace_destroy(workspace);
     crumple_model_destroy(model);
