@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/counted.h"
 #include "geometry/predicates.h"
 #include "importer/edges.h"
 
@@ -179,7 +180,7 @@ std::uint64_t flatten_out(const Surface& surface, Welded& shell, std::vector<Fin
     }
     const std::uint64_t left = count_flat(surface, shell, nullptr);
     finding.severity = left > 0 ? Severity::warning : Severity::info;
-    finding.message = std::to_string(finding.count) + " triangles have no area; " +
+    finding.message = counted(finding.count, "triangle has", "triangles have") + " no area; " +
                       std::to_string(finding.count - std::min(left, finding.count)) +
                       " were merged into their neighbours (places count before that)";
     findings.push_back(finding);
@@ -223,8 +224,8 @@ Cleaned clean(const Surface& surface, Welded& welded) {
     drop_unused_vertices(welded, unused_locks);
     result.unused_locks = unused_locks.count;
     if (unused_locks.count > 0) {
-        unused_locks.message =
-            std::to_string(unused_locks.count) + " locked vertices belong to no triangle and were dropped";
+        unused_locks.message = counted(unused_locks.count, "locked vertex belongs", "locked vertices belong") +
+                               " to no triangle and were dropped";
         result.findings.push_back(unused_locks);
     }
     return result;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/counted.h"
 #include "geometry/measures.h"
 #include "importer/disjoint_sets.h"
 #include "importer/edges.h"
@@ -181,8 +182,8 @@ void orient(const Surface& surface, const std::vector<HalfEdge>& half_edges, Wel
     }
     result.flipped = repaired.count;
     if (repaired.count > 0) {
-        repaired.message =
-            std::to_string(repaired.count) + " triangles faced the other way than their neighbours and were turned";
+        repaired.message = counted(repaired.count, "triangle", "triangles") +
+                           " faced the other way than their neighbours and were turned";
         result.findings.push_back(repaired);
     }
     if (stuck.count > 0) {

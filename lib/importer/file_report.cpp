@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/file_report.h"
+#include "core/counted.h"
 
 namespace crumple::importer {
 
@@ -38,12 +39,13 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
              {}});
     }
     if (report.points_and_lines > 0) {
-        findings.push_back(
-            {"FILE_POINTS_AND_LINES",
-             Severity::info,
-             report.name + ": " + std::to_string(report.points_and_lines) + " points and lines were dropped",
-             report.points_and_lines,
-             {}});
+        findings.push_back({"FILE_POINTS_AND_LINES",
+                            Severity::info,
+                            report.name + ": " +
+                                counted(report.points_and_lines, "point or line was", "points and lines were") +
+                                " dropped",
+                            report.points_and_lines,
+                            {}});
     }
     return findings;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "core/counted.h"
 #include "geometry/bvh.h"
 #include "geometry/measures.h"
 #include "geometry/winding_number.h"
@@ -188,8 +189,8 @@ void report_nesting(const Shell& shell, std::vector<Finding>& findings) {
         if (component.is_inward && component.is_closed && component.role != Role::cavity) add(inverted, c);
     }
     if (nested.count > 0) {
-        nested.message =
-            std::to_string(nested.count) + " components lie inside another; the report says what each is taken for";
+        nested.message = counted(nested.count, "component lies", "components lie") +
+                         " inside another; the report says what each is taken for";
         findings.push_back(nested);
     }
     if (inverted.count > 0) {
