@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/stage_table.h"
 
+#include <algorithm>
 #include <string>
 
 #include "bake/bake.h"
@@ -72,6 +73,9 @@ finish::Report run_finish(Workspace& work, const finish::Params& params, const C
     require_regions(*work.tets);
     auto result = finish::finish_mesh(work.asset->shell, std::move(*work.tets), params, context);
     work.tets = std::move(result.mesh);
+    // Where the artist lets vertices slide, they lie elsewhere from here on.
+    std::vector<Vec3>& shell = work.asset->shell.positions;
+    if (params.slide > 0) std::copy_n(work.tets->positions.begin(), shell.size(), shell.begin());
     return std::move(result.report);
 }
 
