@@ -36,7 +36,7 @@ struct Report {
     std::uint64_t given_points = 0;     // vertices of the shell within it that no triangle uses: they count as points
     std::uint64_t wanted = 0;           // by the recipe, or automatic_count
     std::uint64_t automatic_count = 0;  // integral of 1 / (0.7 h^3) over what is fillable and 0.35 h from the shell
-    std::uint64_t expected_tets = 0;    // after culling, within some percent
+    std::uint64_t expected_tets = 0;    // when all is finished, within 10 %
     std::uint64_t candidates = 0;
     std::uint64_t tries = 0;
     double free_volume = 0;  // cubic metres, fillable and 0.35 h from the shell
@@ -77,7 +77,7 @@ void describe(Visitor& visit, R& r) {
                 "vertices of the shell within it that no triangle uses; they count as points");
     visit.field("wanted", r.wanted, "points asked for");
     visit.field("automatic_count", r.automatic_count, "points that the shell's edge lengths suggest");
-    visit.field("expected_tets", r.expected_tets, "about how many tets will be left after culling");
+    visit.field("expected_tets", r.expected_tets, "about how many tets there will be in the end");
     visit.field("candidates", r.candidates, "places the method chose from");
     visit.field("tries", r.tries, "random draws made to find them");
     visit.field("free_volume", r.free_volume, "space that takes points, cubic metres");

@@ -125,5 +125,33 @@ class Assets(program.Case):
                     self.assertEqual(program.run("check", output).returncode, 0)
 
 
+@program.needs_data
+class Density(program.Case):
+    def test_the_tets_asked_for_are_the_tets_in_the_bundle(self):
+        for shell in ["spot", "carbody", "cow"]:
+            for tets in [3000, 5000]:
+                with self.subTest(shell, tets=tets):
+                    self.ok(program.run("cook", "car_body", "--shell", program.DATA / "quality" / f"{shell}.obj", "-o",
+                                        self.output, "-q", "--set", f"sample.points=tets:{tets}", "--set",
+                                        "gates.enforce=false"))
+                    bundle = self.json_of(program.run("inspect", self.output, "--format", "json"))["bundle"]
+                    self.assertAlmostEqual(bundle["tets"] / tets, 1, delta=0.1)
+
+
+@program.needs_data
+class Dirty(program.Case):
+    """Shells that are not closed: refused with what to try, and what was named works."""
+
+    def test_an_open_car_is_refused_and_put_in_a_cage(self):
+        shell = program.DATA / "open" / "suv_visual.obj"
+        words = ["cook", "car_body", "--shell", shell, "--visual", f"car={shell}", "-o", self.output, "-q"]
+        self.fails(program.run(*words), 3, "SHELL_LEAKS", "import.thicken", "import.cage")
+        self.assertFalse(self.output.exists())
+        self.ok(program.run(*words, "--set", "import.cage=16"))
+        self.ok(program.run("check", self.output))
+        bundle = self.json_of(program.run("inspect", self.output, "--format", "json"))["bundle"]
+        self.assertEqual([visual["outside"] for visual in bundle["visuals"]], [0])
+
+
 if __name__ == "__main__":
     unittest.main()
