@@ -23,6 +23,7 @@ namespace embed {
 
 using crumple::Blob;
 using crumple::Material;
+using crumple::Vec3;
 using crumple::Vec3f;
 namespace solver = crumple::solver;
 
@@ -57,7 +58,6 @@ struct Asset {
     std::vector<Material> materials;
     Memory memory{0};
     solver::Model model;
-    float mass = 0;
 
     explicit Asset(const char* path) : file(read_file(path)) {
         const char* problem = open_blob(file.get(), blob);
@@ -74,22 +74,89 @@ struct Asset {
             std::fprintf(stderr, "embed: %s: %s\n", path, problem);
             std::exit(1);
         }
-        for (const float m : blob.mass) mass += m;
     }
 };
 
-// One car: the state of its sheet metal, and the rigid body that a physics engine would move.
+// Stands for the rigid body of a game's physics engine. All in the world but the centre of mass.
+struct RigidBody {
+    double mass = 0;
+    Vec3 centre;  // of mass, in the frame of the asset
+    solver::Mat3d inverse_inertia;
+    Vec3 position;  // of the centre of mass
+    Vec3 velocity;
+    Vec3 spin;  // angular momentum
+    Vec3 angular_velocity;
+    solver::Quaternion orientation;
+
+    // With the mass of all nodes, its frame at `place`.
+    RigidBody(const Blob& blob, Vec3 place, Vec3 speed);
+    [[nodiscard]] solver::Mat3d turn() const;
+    // Of the frame's origin, as the solver wants it.
+    [[nodiscard]] solver::CarrierMotion motion() const;
+    void move(const solver::CarrierLoad& load);
+};
+
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+
+RigidBody::RigidBody(const Blob& blob, Vec3 place, Vec3 speed) : velocity(speed) {
+    for (std::size_t i = 0; i < blob.mass.size(); ++i) {
+        mass += static_cast<double>(blob.mass[i]);
+        centre += widen(blob.rest_positions[i]) * static_cast<double>(blob.mass[i]);
+    }
+    centre = centre / mass;
+    position = place + centre;
+    solver::Mat3d inertia;
+    for (std::size_t i = 0; i < blob.mass.size(); ++i) {
+        const Vec3 r = widen(blob.rest_positions[i]) - centre;
+        inertia =
+            inertia + (solver::Mat3d::identity() * dot(r, r) - solver::outer(r, r)) * static_cast<double>(blob.mass[i]);
+    }
+    inverse_inertia = transpose(cofactor(inertia)) * (1 / determinant(inertia));
+}
+
+solver::Mat3d RigidBody::turn() const {
+    const solver::Mat3 rotation = to_matrix(orientation);
+    solver::Mat3d wide;
+    std::copy(rotation.m.begin(), rotation.m.end(), wide.m.begin());
+    return wide;
+}
+
+solver::CarrierMotion RigidBody::motion() const {
+    const Vec3 arm = turn() * centre;
+    solver::CarrierMotion motion;
+    motion.position = position - arm;
+    motion.orientation = orientation;
+    motion.velocity = velocity - cross(angular_velocity, arm);
+    motion.angular_velocity = angular_velocity;
+    return motion;
+}
+
+void RigidBody::move(const solver::CarrierLoad& load) {
+    const double step = static_cast<double>(dt);
+    const solver::Mat3d rotation = turn();
+    velocity += load.force * (step / mass);
+    spin += (load.torque - cross(rotation * centre, load.force)) * step;
+    angular_velocity = rotation * (inverse_inertia * (transpose(rotation) * spin));
+    position += velocity * step;
+    const Vec3 w = angular_velocity * step;
+    const solver::Mat3d tilt{{0, -w.z, w.y, w.z, 0, -w.x, -w.y, w.x, 0}};
+    const solver::Mat3d turned = rotation + tilt * rotation;
+    solver::Mat3 narrow;
+    std::transform(turned.m.begin(), turned.m.end(), narrow.m.begin(), [](double x) { return static_cast<float>(x); });
+    orientation = to_quaternion(solver::rotation_polar(narrow, to_matrix(orientation)));
+}
+
+// One car: its sheet metal and its rigid body.
 struct Car {
     Memory memory;
     solver::State state;
-    solver::CarrierMotion body;
+    RigidBody body;
     std::vector<Vec3f> drawn;
 
     Car(const Asset& asset, int number)
         : memory(solver::state_bytes(asset.model, solver::Plasticity::additive)),
-          state(solver::make_state(asset.model, solver::Plasticity::additive, memory.get())) {
-        body.position = {4.0 * number, 0, -5.0 - 0.2 * number};
-        body.velocity = {0, 0, 15};
+          state(solver::make_state(asset.model, solver::Plasticity::additive, memory.get())),
+          body(asset.blob, {4.0 * number, 0, -3.0 - 0.2 * number}, {0, 0, 15}) {
         if (asset.blob.counts.visuals > 0) drawn.resize(visual_of(asset.blob, 0).tet.size());
     }
 };
@@ -112,14 +179,13 @@ void step_car(const Asset& asset, Car& car, Worker& worker) {
 
     solver::InstanceInput input;
     input.dt = dt;
-    input.carrier = car.body;
+    input.carrier = car.body.motion();
+    input.gravity = {};  // the wheels carry the weight
     input.obstacles = {&wall, 1};
     input.room = worker.room;
     const solver::InstanceReport report = solver::step_instance(asset.model, car.state, worker.workspace, input);
 
-    // A physics engine adds this force and torque to the rigid body. Here the wheels keep it straight and level.
-    car.body.velocity.z += report.load.force.z / static_cast<double>(asset.mass) * static_cast<double>(dt);
-    car.body.position += car.body.velocity * static_cast<double>(dt);
+    car.body.move(report.load);  // before the next step
 
     // Only what moved is skinned and would be sent to the graphics processor.
     if (report.is_asleep || car.drawn.empty()) return;
@@ -190,8 +256,9 @@ int run(int argc, char** argv) {
                 frame_count, 1000.0 * static_cast<double>(dt), thread_count, thread_count == 1 ? "" : "s");
     print_times("while cars crumple ", busy);
     print_times("while all are still", quiet);
-    std::printf("deepest dent %.3f m, %d of %d asleep at the end\n", static_cast<double>(deepest_dent(asset, cars[0])),
-                count_asleep(cars), car_count);
+    std::printf("first car: deepest dent %.3f m, leaves the wall at %.2f m/s; %d of %d asleep at the end\n",
+                static_cast<double>(deepest_dent(asset, cars[0])), -cars[0].body.velocity.z, count_asleep(cars),
+                car_count);
     return 0;
 }
 
