@@ -187,6 +187,21 @@ private:
 
 }
 
+std::vector<Index> holders_of(const TetComplex& complex, std::span<const Index> candidates, Vec3 place) {
+    std::vector<Index> holders;
+    for (const Index t : candidates) {
+        bool holds = true;
+        for (int corner = 0; corner < 4 && holds; ++corner) {
+            const auto& face = tet_face_corners[corner];
+            const Tet& tet = complex.corners(t);
+            holds = orient3d(complex.position(tet[face[0]]), complex.position(tet[face[2]]),
+                             complex.position(tet[face[1]]), place) >= 0;
+        }
+        if (holds) holders.push_back(t);
+    }
+    return holders;
+}
+
 Index insert_node(TetComplex& complex, const Constraints& constraints, Vec3 place, std::vector<Index> holders) {
     Cavity cavity;
     if (!Grower(complex, constraints, place, std::move(holders)).find(cavity)) return none;

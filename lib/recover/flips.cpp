@@ -15,6 +15,9 @@ namespace {
 // Larger rings cost the cube of their size and hardly ever have a positive triangulation.
 constexpr std::size_t longest_ring = 24;
 
+// A triangulation costs the cube of the ring: that of six counts as one look more.
+constexpr int ring_of_one_look = 216;
+
 bool shares_end(const Goal& goal, Index v) { return v == goal.a || v == goal.b || v == goal.c; }
 
 }
@@ -186,9 +189,11 @@ void Flips::roll_back(std::size_t mark) {
 
 bool Flips::clear_edge(Index u, Index v, int depth) {
     if (constraints_.has_segment(u, v) || looks_left_ <= 0) return false;
-    --looks_left_;
     const Index tet = complex_.find_edge(u, v);
     if (tet == none) return true;
+    complex_.ring_of(tet, u, v, ring_);
+    const auto n = static_cast<int>(std::min(ring_.link.size(), longest_ring));
+    looks_left_ -= 1 + n * n * n / ring_of_one_look;
     Exchange exchange;
     if (plan_edge_removal({}, tet, u, v, exchange)) {
         apply(exchange);

@@ -51,7 +51,7 @@ public:
     // REQUIRES: (u, v) is an edge. On false nothing has changed.
     bool clear_edge(Index u, Index v, int depth);
 
-    // How often clear_edge may look at an edge from now on.
+    // How often clear_edge may look at an edge from now on; large rings count more.
     void set_budget(int looks) { looks_left_ = looks; }
 
     [[nodiscard]] std::size_t mark() const { return journal_.size(); }

@@ -18,26 +18,10 @@ constexpr std::size_t tries_per_split = 10;
 
 // What is freed may push aside what was negligible or half free before, so all are looked at again, but two that cannot
 // both be free would take turns for ever.
-constexpr int max_quiet_rounds = 4;
+constexpr int max_passes = 4;
 
 // Of the diagonal: what an artist's eye and a solver's shape both miss.
 constexpr double negligible_of_diagonal = 1e-3;
-
-// Of the candidates those that hold the place in their inside or on their surface.
-std::vector<Index> holders_of(const TetComplex& complex, const std::vector<Index>& candidates, Vec3 place) {
-    std::vector<Index> holders;
-    for (const Index t : candidates) {
-        bool holds = true;
-        for (int corner = 0; corner < 4 && holds; ++corner) {
-            const auto& face = tet_face_corners[corner];
-            const Tet& tet = complex.corners(t);
-            holds = orient3d(complex.position(tet[face[0]]), complex.position(tet[face[2]]),
-                             complex.position(tet[face[1]]), place) >= 0;
-        }
-        if (holds) holders.push_back(t);
-    }
-    return holders;
-}
 
 std::vector<Index> stars_of(const TetComplex& complex, std::initializer_list<Index> nodes) {
     std::vector<Index> all;
@@ -104,37 +88,69 @@ bool Recovery::matters(const Triangle& facet) const {
     return deviation_of_facet(complex_, facet) > std::min(largest_loss_, params_.negligible * size_of(facet));
 }
 
+void Recovery::add_parts(const Split& split) {
+    const auto add = [&](Index p, Index q, Index r) {
+        todo_facets_.push_back(sorted_triangle(p, q, r));
+        todo_segments_.push_back(sorted_edge(p, q));
+        todo_segments_.push_back(sorted_edge(q, r));
+    };
+    if (split.c != none) {
+        add(split.a, split.node, split.b);
+        add(split.b, split.node, split.c);
+        add(split.c, split.node, split.a);
+    }
+    for (const Index apex : split.apexes) {
+        add(split.a, split.node, apex);
+        add(split.b, split.node, apex);
+    }
+}
+
 // Short ones first: they are the least in the way of others.
 bool Recovery::free_segments(std::uint32_t depth) {
-    std::vector<Edge> todo = missing_segments();
+    std::vector<Edge> todo = std::exchange(todo_segments_, {});
     std::stable_sort(todo.begin(), todo.end(),
                      [&](const Edge& a, const Edge& b) { return length_of(a[0], a[1]) < length_of(b[0], b[1]); });
-    bool is_stuck = false;
+    std::vector<Edge> stuck;
     for (const Edge& e : todo) {
         context_.stop_if_cancelled();
         if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
-        if (blocked_segments_.contains(e)) continue;
-        const Outcome outcome = liberator_.free_segment(e[0], e[1], static_cast<int>(depth));
+        const Outcome outcome =
+            tired_segments_.contains(e) ? Outcome::stuck : liberator_.free_segment(e[0], e[1], static_cast<int>(depth));
         if (outcome == Outcome::blocked) blocked_segments_.insert(e);
-        is_stuck |= outcome != Outcome::there;
-        if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
+        if (outcome == Outcome::through) add_parts(split_segment(constraints_, e[0], e[1], liberator_.node()));
+        if (outcome != Outcome::stuck) continue;
+        stuck.push_back(e);
+        if (depth == params_.depth) tired_segments_.insert(e);
     }
-    return is_stuck;
+    todo_segments_.insert(todo_segments_.begin(), stuck.begin(), stuck.end());
+    return !todo_segments_.empty();
 }
 
 bool Recovery::free_facets(std::uint32_t depth) {
-    std::vector<Triangle> todo = missing_facets();
+    std::vector<Triangle> todo = std::exchange(todo_facets_, {});
     std::stable_sort(todo.begin(), todo.end(),
                      [&](const Triangle& a, const Triangle& b) { return size_of(a) < size_of(b); });
+    std::vector<Triangle> left;
     bool is_stuck = false;
     for (const Triangle& t : todo) {
         context_.stop_if_cancelled();
-        if (has_face(t) || !has_edges(t) || !matters(t) || blocked_facets_.contains(t)) continue;
-        const Outcome outcome = liberator_.free_facet(t, static_cast<int>(depth));
+        if (!constraints_.has_facet(t[0], t[1], t[2]) || has_face(t)) continue;
+        if (!has_edges(t)) {
+            left.push_back(t);
+            continue;
+        }
+        if (!matters(t)) continue;
+        const Outcome outcome =
+            tired_facets_.contains(t) ? Outcome::stuck : liberator_.free_facet(t, static_cast<int>(depth));
         if (outcome == Outcome::blocked) blocked_facets_.insert(t);
-        is_stuck |= outcome != Outcome::there;
-        if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
+        if (outcome == Outcome::through) add_parts(split_facet(constraints_, t, liberator_.node()));
+        if (outcome != Outcome::stuck) continue;
+        is_stuck = true;
+        left.push_back(t);
+        if (depth == params_.depth) tired_facets_.insert(t);
     }
+    is_stuck |= !todo_facets_.empty();
+    todo_facets_.insert(todo_facets_.begin(), left.begin(), left.end());
     return is_stuck;
 }
 
@@ -167,19 +183,20 @@ bool Recovery::split_at_crossing(const Edge& segment) {
     const Index node = insert_node(complex_, constraints_, place, holders);
     if (node == none) return false;
     splits_.push_back(split_segment(constraints_, segment[0], segment[1], node));
+    add_parts(splits_.back());
+    ++splits_tried_;
     return true;
 }
 
 bool Recovery::split_stuck_segments() {
     bool has_split = false;
-    for (const Edge& e : missing_segments()) {
+    const std::vector<Edge> stuck = todo_segments_;
+    for (const Edge& e : stuck) {
         if (!may_split()) break;
         if (!constraints_.has_segment(e[0], e[1]) || has_edge(e[0], e[1]) || !matters(e)) continue;
         const Outcome outcome = liberator_.free_segment(e[0], e[1], 0);
-        if (outcome == Outcome::through) split_segment(constraints_, e[0], e[1], liberator_.node());
-        if (outcome != Outcome::stuck || !split_at_crossing(e)) continue;
-        ++splits_tried_;
-        has_split = true;
+        if (outcome == Outcome::through) add_parts(split_segment(constraints_, e[0], e[1], liberator_.node()));
+        has_split |= outcome == Outcome::stuck && split_at_crossing(e);
     }
     return has_split;
 }
@@ -207,19 +224,20 @@ bool Recovery::split_at_obstacle(const Triangle& facet) {
     const Index node = insert_node(complex_, constraints_, place, holders);
     if (node == none) return false;
     splits_.push_back(split_facet(constraints_, facet, node));
+    add_parts(splits_.back());
+    ++splits_tried_;
     return true;
 }
 
 bool Recovery::split_stuck_facets() {
     bool has_split = false;
-    for (const Triangle& t : missing_facets()) {
+    const std::vector<Triangle> stuck = todo_facets_;
+    for (const Triangle& t : stuck) {
         if (!may_split()) break;
-        if (has_face(t) || !has_edges(t) || !matters(t)) continue;
+        if (!constraints_.has_facet(t[0], t[1], t[2]) || has_face(t) || !has_edges(t) || !matters(t)) continue;
         const Outcome outcome = liberator_.free_facet(t, 0);
-        if (outcome == Outcome::through) split_facet(constraints_, t, liberator_.node());
-        if (outcome != Outcome::stuck || !split_at_obstacle(t)) continue;
-        ++splits_tried_;
-        has_split = true;
+        if (outcome == Outcome::through) add_parts(split_facet(constraints_, t, liberator_.node()));
+        has_split |= outcome == Outcome::stuck && split_at_obstacle(t);
     }
     return has_split;
 }
@@ -244,18 +262,40 @@ bool Recovery::free_all() {
     return segments_stuck || is_stuck;
 }
 
+void Recovery::start_pass() {
+    todo_segments_ = missing_segments();
+    todo_facets_ = missing_facets();
+    std::erase_if(todo_segments_, [&](const Edge& e) { return blocked_segments_.contains(e); });
+    std::erase_if(todo_facets_, [&](const Triangle& t) { return blocked_facets_.contains(t); });
+    tired_segments_.clear();
+    tired_facets_.clear();
+}
+
 void Recovery::run() {
-    int quiet_rounds = 0;
-    while (quiet_rounds < max_quiet_rounds) {
-        context_.tell_progress("edges and triangles", splits_tried_ == 0 ? 0 : 0.5);
-        const std::uint64_t before = exchanges();
-        const bool is_stuck = free_all();
-        // Parts of the last round's splits are there now, as far as they ever will be.
-        bool has_changed = undo_splits();
-        if (is_stuck) has_changed |= split_stuck_segments() || split_stuck_facets();
-        if (!has_changed && exchanges() == before) break;
-        quiet_rounds = has_changed ? 0 : quiet_rounds + 1;
+    for (int pass = 0; pass < max_passes; ++pass) {
+        context_.tell_progress("edges and triangles", static_cast<double>(pass) / max_passes);
+        const std::uint64_t before = exchanges() + splits_tried_;
+        start_pass();
+        bool goes_on = true;
+        while (goes_on) {
+            const bool is_stuck = free_all();
+            // Parts of the last round's splits are there now, as far as they ever will be.
+            goes_on = undo_splits();
+            if (is_stuck) goes_on |= split_stuck_segments() || split_stuck_facets();
+        }
+        if (exchanges() + splits_tried_ == before) break;
     }
+    drop_splits();
+}
+
+// What never came back whole with its nodes is better off without them.
+void Recovery::drop_splits() {
+    std::vector<Split> staying;
+    while (!splits_.empty()) {
+        if (!drop_split(complex_, constraints_, splits_.back())) staying.push_back(splits_.back());
+        splits_.pop_back();
+    }
+    splits_.assign(staying.rbegin(), staying.rend());
 }
 
 Missing<Edge> Recovery::judge_segments() const {

@@ -46,6 +46,7 @@ private:
     bool free_segments(std::uint32_t depth);
     bool free_facets(std::uint32_t depth);
     bool free_all();
+    void start_pass();
     // Each tells whether it put nodes anywhere.
     bool split_stuck_segments();
     bool split_stuck_facets();
@@ -53,6 +54,8 @@ private:
     bool split_at_obstacle(const Triangle& facet);
     // Whether some left.
     bool undo_splits();
+    void drop_splits();
+    void add_parts(const Split& split);
 
     [[nodiscard]] bool may_split() const;
     [[nodiscard]] bool has_edge(Index a, Index b) const { return complex_.find_edge(a, b) != none; }
@@ -85,6 +88,12 @@ private:
     std::size_t max_splits_;  // at one time
     std::uint64_t splits_tried_ = 0;
     std::vector<Split> splits_;
+
+    // Of this pass: what may be missing, and what was tried at full depth in vain.
+    std::vector<Edge> todo_segments_;
+    std::vector<Triangle> todo_facets_;
+    std::unordered_set<Edge, EdgeHash> tired_segments_;
+    std::unordered_set<Triangle, TriangleHash> tired_facets_;
     // Freed as far as they can be: trying again would only disturb the others.
     std::unordered_set<Edge, EdgeHash> blocked_segments_;
     std::unordered_set<Triangle, TriangleHash> blocked_facets_;

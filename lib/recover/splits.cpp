@@ -190,4 +190,24 @@ bool undo_split(TetComplex& complex, Constraints& constraints, const Split& spli
     return true;
 }
 
+bool drop_split(TetComplex& complex, Constraints& constraints, const Split& split) {
+    if (!is_untouched(constraints, split)) return false;
+    Cavity star;
+    complex.star_of(split.node, star.tets);
+    for (const Index t : star.tets) {
+        const int corner = complex.corner_of(t, split.node);
+        star.faces.push_back(outward_face(complex.corners(t), corner));
+        for (int other = 0; other < 4; ++other) {
+            if (other != corner && complex.neighbour(t, other) == none) return false;
+        }
+    }
+    const Filling filling = best_filling(complex, star, complex.position(split.node));
+    if (filling.quality <= 0 || filling.node == none) return false;
+    std::vector<Tet> fresh;
+    append_cone(star, filling.node, fresh);
+    complex.replace(star.tets, fresh);
+    make_whole(constraints, split);
+    return true;
+}
+
 }

@@ -5,6 +5,7 @@
 // Borouchaki, Saltel 2003, "Ultimate robustness in meshing an arbitrary polyhedron"]. So it usually ends as an interior
 // node, or as none, and the shell stays as it was.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "core/index.h"
@@ -23,6 +24,9 @@ struct Split {
     std::vector<Index> origins;  // of those, the shell triangles
 };
 
+// Of the candidates the tets that hold the place in their inside or on their surface.
+[[nodiscard]] std::vector<Index> holders_of(const TetComplex& complex, std::span<const Index> candidates, Vec3 place);
+
 // Puts `place` into the tets: they must hold it, in their inside or on a face or edge that they share. Takes away
 // further tets around it so that few circumspheres hold it, none of them across a facet. Tells the new node, or none
 // when not every tet around it would be positive.
@@ -34,5 +38,8 @@ Split split_facet(Constraints& constraints, const Triangle& facet, Index node);
 
 // Takes a split's node out again and makes its parts whole. On false nothing has changed.
 bool undo_split(TetComplex& complex, Constraints& constraints, const Split& split);
+
+// Takes the node out though parts are missing, and the whole with them. On false nothing has changed.
+bool drop_split(TetComplex& complex, Constraints& constraints, const Split& split);
 
 }

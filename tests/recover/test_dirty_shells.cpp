@@ -91,7 +91,7 @@ TEST(DirtyShells, TouchingBoxesAreCoveredByFaces) {
 
 TEST(DirtyShells, ASoupOfRandomTrianglesEnds) {
     Rng random(11);
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 2; ++round) {
         std::vector<Vec3> positions;
         for (int v = 0; v < 40; ++v) {
             const double x = random.next_below(8);

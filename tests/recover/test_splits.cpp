@@ -103,6 +103,25 @@ TEST(Splits, AMissingPartKeepsTheNode) {
     EXPECT_EQ(task.complex.to_mesh().tets, before);
 }
 
+TEST(Splits, ANodeWhosePartsNeverCameLeavesAllTheSame) {
+    Task task;
+    TetRing ring;
+    ASSERT_NE(inner_edge_tet(task.complex, ring, task.edge), none);
+    const auto [a, b] = task.edge;
+    const std::string volume = exact_six_volumes(task.complex.to_mesh());
+    const Vec3 place = round_to_float(task.complex.position(a) * 0.7 + task.complex.position(b) * 0.3);
+    const Index node = insert_node(task.complex, {}, place, all_holders(task.complex, place));
+    ASSERT_NE(node, none);
+    task.constraints.add_facet({a, b, 63}, 0);  // a facet to somewhere else
+    const Split split = split_segment(task.constraints, a, b, node);
+    ASSERT_FALSE(undo_split(task.complex, task.constraints, split));
+    ASSERT_TRUE(drop_split(task.complex, task.constraints, split));
+    EXPECT_EQ(task.complex.tet_at(node), none);
+    EXPECT_TRUE(task.constraints.has_facet(a, b, 63));
+    EXPECT_TRUE(validate(task.complex.to_mesh()).empty());
+    EXPECT_EQ(exact_six_volumes(task.complex.to_mesh()), volume);
+}
+
 TEST(Splits, ANodeThatWasSplitAtFurtherWaits) {
     Constraints constraints;
     constraints.add_facet({0, 1, 2}, 0);
