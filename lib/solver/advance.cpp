@@ -13,6 +13,9 @@ namespace {
 constexpr double noise_strain_squared = 1e-12;
 constexpr double forgets_per_s = 1;  // how fast the budget comes down to what is there
 
+Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+Vec3f narrow(Vec3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
+
 bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Vec3f row(std::span<const float> rows, std::size_t node) {
@@ -27,28 +30,35 @@ void set_row(std::span<float> rows, std::size_t node, Vec3f v) {
 struct Trial {
     std::span<float> positions;
     std::span<float> velocities;
-    double kinetic = 0;
-    double work = 0;  // of gravity and forces on the way
+    double kinetic = 0;   // seen from the frame as it was
+    double relative = 0;  // seen from the frame as the carrier leaves it
+    double work = 0;      // of gravity and forces on the way
     bool has_overflowed = false;
 };
 
 // A node whose numbers overflow stops where it is.
-Trial propose(const Model& model, const State& state, Workspace& w, const StepInput& input) {
+Trial propose(const Model& model, const State& state, Workspace& w, const StepInput& input, const RigidLocks& rigid) {
     Trial trial{w.product, w.precise};
     for (std::size_t node = 0; node < model.node_count; ++node) {
         Vec3f v = velocity(state, node);
         if (!w.is_fixed[node]) v += row(w.change, node);
-        Vec3f x = position(state, node) + v * input.dt;
-        if (!is_finite(v) || !is_finite(x)) {
+        Vec3f u = v;
+        if (rigid.is_active) {
+            const bool is_carried = model.bundle.locked[node] && w.constraint[node] == 0;
+            u = is_carried ? Vec3f{} : narrow(widen(v) - rigid_velocity(rigid.change, widen(position(state, node))));
+        }
+        Vec3f x = position(state, node) + u * input.dt;
+        if (!is_finite(u) || !is_finite(x)) {
             trial.has_overflowed = true;
-            v = {};
+            u = v = {};
             x = position(state, node);
         }
         set_row(trial.positions, node, x);
-        set_row(trial.velocities, node, v);
+        set_row(trial.velocities, node, u);
         const double mass = model.bundle.mass[node];
         const Vec3f push = outside_force(model, state, input, node);
         trial.kinetic += 0.5 * mass * static_cast<double>(dot(v, v));
+        trial.relative += 0.5 * mass * static_cast<double>(dot(u, u));
         trial.work += static_cast<double>(dot(push, v)) * static_cast<double>(input.dt);
     }
     return trial;
@@ -66,8 +76,6 @@ double elastic_energy_of(const Trial& trial, const Model& model, Workspace& w, c
     for (std::size_t i = 0; i * packets_per_piece < model.packets.size(); ++i) total += w.counts[i].energy;
     return total;
 }
-
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
 
 void add_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
                   Advanced& result) {
@@ -94,7 +102,7 @@ void commit(const Model& model, State& state, const Trial& trial) {
 
 Advanced advance(const Model& model, State& state, Workspace& w, const StepInput& input,
                  const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
-                 const Kernels& kernels, const Jobs& jobs) {
+                 RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs) {
     StateHeader& header = *state.header;
     const double energy = ledger.energy;
     const double put_in = header.step_count == 0 ? energy : header.budget + energy - header.energy;
@@ -102,23 +110,29 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
     Advanced result;
     double budget = 0;
     double keep = 1;
+    // Nodes that are driven leave those that stand still behind: then stopping is no way out.
+    const bool is_driven = std::any_of(input.constraints.begin(), input.constraints.end(),
+                                       [](const Constraint& c) { return !(c.velocity == Vec3f{}); });
     for (;;) {
-        const Trial trial = propose(model, state, w, input);
+        const Trial trial = propose(model, state, w, input, rigid);
         const double work = trial.work + ledger.wind_work + constraint_work(model, w, input);
         budget = std::max(put_in + work, 0.0);
         result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
         result.has_overflowed = result.has_overflowed || trial.has_overflowed;
         const bool is_fine = result.energy <= std::max(budget_slack * budget, energy + work) + noise;
-        if (is_fine || keep == 0) {
+        const bool is_last = keep == 0 || (is_driven && keep < 0.1);
+        if (is_fine || is_last) {
             add_impulses(model, state, w, input, result);
             if (!input.reactions.empty()) write_reactions(model, w, constraints.partial, input);
             commit(model, state, trial);
+            result.energy += trial.relative - trial.kinetic;
+            budget = std::max(0.0, budget + trial.relative - trial.kinetic);
             break;
         }
         // A few halves, then standing still.
         const double before = keep;
-        keep = keep > 0.1 ? 0.5 * keep : 0;
-        shorten_change(model, state, w, constraints, 1 - keep / before);
+        keep = keep > 0.1 || is_driven ? 0.5 * keep : 0;
+        shorten_change(model, state, w, constraints, rigid, 1 - keep / before);
         result.is_cut = true;
     }
     if (!std::isfinite(result.energy)) result.energy = budget = 0;

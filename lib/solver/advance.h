@@ -34,6 +34,6 @@ struct Advanced {
 // REQUIRES: restrain() has run.
 Advanced advance(const Model& model, State& state, Workspace& workspace, const StepInput& input,
                  const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
-                 const Kernels& kernels, const Jobs& jobs);
+                 RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs);
 
 }

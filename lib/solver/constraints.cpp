@@ -80,7 +80,11 @@ Vec3f unbalanced(const Model& model, const Workspace& w, Index node) {
 
 ConstraintCounts gather_constraints(const Model& model, Workspace& w, const StepInput& input) {
     ConstraintCounts counts;
-    std::copy(model.bundle.locked.begin(), model.bundle.locked.end(), w.is_fixed.begin());
+    if (input.has_free_carrier) {
+        std::fill(w.is_fixed.begin(), w.is_fixed.end(), std::uint8_t{0});
+    } else {
+        std::copy(model.bundle.locked.begin(), model.bundle.locked.end(), w.is_fixed.begin());
+    }
     std::fill(w.constraint.begin(), w.constraint.end(), 0u);
     for (std::size_t i = 0; i < input.constraints.size(); ++i) {
         const Constraint& c = input.constraints[i];
@@ -100,7 +104,7 @@ ConstraintCounts gather_constraints(const Model& model, Workspace& w, const Step
 
 Vec3f constrained_velocity(const Workspace& w, const StepInput& input, Index node, Vec3f v) {
     const Index row = w.constraint[node];
-    if (row == 0) return w.is_fixed[node] ? Vec3f{} : v;
+    if (row == 0) return w.is_fixed[node] ? Vec3f{} : v;  // a locked node's v is 0
     const Constraint& c = input.constraints[row - 1];
     if (c.kind == ConstraintKind::fixed) return c.velocity;
     return v + taken_part(directions_of(c), c.velocity - v);
@@ -122,7 +126,9 @@ void keep_free_part(const Partial& partial, float* row) {
 
 void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_count) {
     for (std::size_t node = 0; node < model.node_count; ++node) {
-        if (w.is_fixed[node]) write_inverse({}, &w.inverse[inverse_at(node)]);
+        // Locked nodes that are not fixed move with their carrier, which has a preconditioner of its own.
+        const bool is_carried = model.bundle.locked[node] && w.constraint[node] == 0;
+        if (w.is_fixed[node] || is_carried) write_inverse({}, &w.inverse[inverse_at(node)]);
     }
     for (const Partial& partial : w.partials.first(partial_count)) {
         const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);

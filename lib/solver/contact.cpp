@@ -92,6 +92,66 @@ Index nearest_node(const Model& model, const State& state, Vec3f point) {
     return nearest;
 }
 
+// Finds contacts and writes them down.
+struct Contacts {
+    const Model& model;
+    const Frame& frame;
+    std::span<const Obstacle> obstacles;
+    float dt;
+    std::span<std::uint8_t> is_taken;
+    std::span<Constraint> room;
+    ContactCounts counts;
+
+    // The contact of a point of the body with the obstacle it is deepest in.
+    bool touches(Vec3f x, Vec3f velocity, Vec3f falls, Constraint& contact, bool has_to_be_inside = false) const {
+        const Vec3 place = frame.point_to_world(x);
+        double deepest = 1e300;
+        for (const Obstacle& o : obstacles) {
+            const SurfacePoint surface = nearest_surface(o, place);
+            if (surface.distance >= deepest || (has_to_be_inside && surface.distance >= 0)) continue;
+            const Vec3f normal = frame.vector(surface.normal);
+            const Vec3f v = frame.velocity(place, o.velocity + cross(o.angular_velocity, place - o.position));
+            float leaves = 0;
+            const float approach = dot(velocity - v, normal);
+            const float gains = std::min(0.0f, dot(falls, normal));
+            if (!leaving_speed(surface.distance, approach, gains, o.restitution, dt, leaves)) continue;
+            deepest = surface.distance;
+            contact = {none, ConstraintKind::plane, v + normal * leaves, normal, {}};
+        }
+        return deepest < 1e300;
+    }
+    void hold(Index node, Constraint contact) {
+        contact.node = node;
+        is_taken[node] = 1;
+        if (counts.found < room.size()) room[counts.written++] = contact;
+        ++counts.found;
+    }
+};
+
+// Places of a face between its nodes, as weights of its corners.
+constexpr float between_nodes[4][3] = {
+    {1.0f / 3, 1.0f / 3, 1.0f / 3}, {0.5f, 0.5f, 0}, {0, 0.5f, 0.5f}, {0.5f, 0, 0.5f}};
+
+void hold_face(Contacts& contacts, const State& state, const Tet& tet, std::size_t opposite) {
+    Index nodes[3];
+    for (std::size_t i = 0; i < 3; ++i) nodes[i] = tet[(opposite + 1 + i) % 4];
+    // Beside a node that touches, a face is only on its way there.
+    const bool is_on_its_way = std::any_of(nodes, nodes + 3, [&](Index node) { return contacts.is_taken[node]; });
+    const auto may_hold = [&](Index node) { return !contacts.model.bundle.locked[node] && !contacts.is_taken[node]; };
+    for (const auto& weights : between_nodes) {
+        Vec3f x, v;
+        for (std::size_t i = 0; i < 3; ++i) {
+            x += position(state, nodes[i]) * weights[i];
+            v += velocity(state, nodes[i]) * weights[i];
+        }
+        Constraint contact;
+        if (!contacts.touches(x, v, {}, contact, is_on_its_way)) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (weights[i] > 0 && may_hold(nodes[i])) contacts.hold(nodes[i], contact);
+        }
+    }
+}
+
 }
 
 SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
@@ -103,33 +163,24 @@ SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
 }
 
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
-                            std::span<const Obstacle> obstacles, Vec3f pull, float dt,
-                            std::span<const std::uint8_t> is_taken, std::span<Constraint> room) {
-    ContactCounts counts;
-    for (Index node = 0; node < model.node_count && !obstacles.empty(); ++node) {
-        if (model.bundle.locked[node] || (!is_taken.empty() && is_taken[node])) continue;
-        const Vec3 place = frame.point_to_world(position(state, node));
-        double deepest = 1e300;
+                            std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
+                            std::span<Constraint> room) {
+    Contacts contacts{model, frame, obstacles, dt, is_taken, room, {}};
+    if (obstacles.empty()) return contacts.counts;
+    for (Index node = 0; node < model.node_count; ++node) {
+        if (model.bundle.locked[node] || is_taken[node]) continue;
+        const Vec3f falls = state.is_pulled[node] ? Vec3f{} : pull * dt;
         Constraint contact;
-        for (const Obstacle& o : obstacles) {
-            const SurfacePoint surface = nearest_surface(o, place);
-            const Vec3f normal = frame.vector(surface.normal);
-            const Vec3f v = frame.velocity(place, o.velocity + cross(o.angular_velocity, place - o.position));
-            float leaves = 0;
-            const float gains = state.is_pulled[node] ? 0 : std::min(0.0f, dot(pull, normal) * dt);
-            const float approach = dot(velocity(state, node) - v, normal);
-            if (surface.distance >= deepest ||
-                !leaving_speed(surface.distance, approach, gains, o.restitution, dt, leaves)) {
-                continue;
-            }
-            deepest = surface.distance;
-            contact = {node, ConstraintKind::plane, v + normal * leaves, normal, {}};
-        }
-        if (contact.node == none) continue;
-        if (counts.found < room.size()) room[counts.written++] = contact;
-        ++counts.found;
+        if (contacts.touches(position(state, node), velocity(state, node), falls, contact))
+            contacts.hold(node, contact);
     }
-    return counts;
+    for (std::size_t tet = 0; tet < model.tet_count; ++tet) {
+        const unsigned boundary = model.packets[tet / packet_size].boundary[tet % packet_size];
+        for (std::size_t corner = 0; boundary >> corner != 0; ++corner) {
+            if (boundary >> corner & 1u) hold_face(contacts, state, model.bundle.tets[tet], corner);
+        }
+    }
+    return contacts.counts;
 }
 
 void note_pulled(const Model& model, State& state, const Workspace& w, std::span<const Constraint> contacts) {

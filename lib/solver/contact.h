@@ -43,11 +43,13 @@ struct ContactCounts {
     std::size_t written = 0;  // less where `room` was too small
 };
 
-// Writes a plane constraint, in the frame, for every node in contact that is not locked and whose `is_taken` (N, or
-// empty) is 0. Of several obstacles the deepest counts. `pull` is gravity in the frame.
+// Writes a plane constraint, in the frame, for every node in contact that is not locked and whose `is_taken` (N) is 0,
+// and sets that. Of several obstacles the deepest counts. Where an obstacle comes through a boundary face between its
+// nodes, at the middle of the face or of an edge, the nodes there are held as if they touched. `pull` is gravity in the
+// frame.
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
-                            std::span<const Obstacle> obstacles, Vec3f pull, float dt,
-                            std::span<const std::uint8_t> is_taken, std::span<Constraint> room);
+                            std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
+                            std::span<Constraint> room);
 
 // After the step: which of the contacts held their nodes back.
 void note_pulled(const Model& model, State& state, const Workspace& workspace, std::span<const Constraint> contacts);

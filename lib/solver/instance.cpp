@@ -144,6 +144,8 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
         wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));
         step_input.wind = &wind;
     }
+    step_input.has_free_carrier = input.is_carrier_free;
+    step_input.carrier_mass = input.carrier_mass;
     step_input.forces = input.forces;
     step_input.constraints = input.room.first(fill_room(model, state, w, input, frame, report));
     report.step = step(model, state, w, step_input, settings, jobs);

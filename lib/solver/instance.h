@@ -17,8 +17,11 @@ struct SleepSettings {
 struct InstanceInput {
     float dt = 1.0f / 60;
     CarrierMotion carrier;
-    // The carrier's acceleration and turning throw the nodes about. Where the acceleration is the answer to this body's
-    // own load, one step late, that is stable while the free nodes have less than half the carrier's mass and inertia.
+    // A free carrier gives way in the step that pushes it: give its mass, nodes included, or 0 where the nodes are all
+    // of it, and move it by the load before the next step. Else it goes its way, as if without end of mass.
+    bool is_carrier_free = true;
+    double carrier_mass = 0;
+    // The carrier's acceleration and turning throw the nodes about: of a free one, what others than this body do to it.
     bool has_inertia = false;
     Vec3 gravity{0, -9.81, 0};
     std::span<const Obstacle> obstacles;

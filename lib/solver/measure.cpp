@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/measure.h"
 
+#include <cmath>
+
 namespace crumple::solver {
 namespace {
 
@@ -40,6 +42,26 @@ Mat3 rotation(const State& state, std::size_t tet) {
     const auto& q = state.tets[tet / packet_size].rotation;
     const std::size_t lane = tet % packet_size;
     return to_matrix({q[0][lane], q[1][lane], q[2][lane], q[3][lane]});
+}
+
+float plastic_strain(const Model& model, const State& state, std::size_t tet) {
+    const std::size_t p = tet / packet_size;
+    const std::size_t lane = tet % packet_size;
+    if (!state.shapes.empty()) {
+        // F_p = (Dm^-1 F_p^-1)^-1 Dm^-1
+        Mat3 shape, rest;
+        for (std::size_t i = 0; i < 9; ++i) {
+            shape.m[i] = state.shapes[p].gradient[i][lane];
+            rest.m[i] = model.packets[p].gradient[i][lane];
+        }
+        return norm(transpose(cofactor(shape)) * (1 / determinant(shape)) * rest - Mat3::identity());
+    }
+    float squared = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const float value = state.tets[p].plastic[i][lane];
+        squared += (i < 3 ? 1 : 2) * value * value;
+    }
+    return std::sqrt(squared);
 }
 
 double kinetic_energy(const Model& model, const State& state) {

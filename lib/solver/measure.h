@@ -8,6 +8,9 @@ namespace crumple::solver {
 [[nodiscard]] Mat3 deformation_gradient(const Model& model, const State& state, std::size_t tet);  // elastic part
 [[nodiscard]] Mat3 rotation(const State& state, std::size_t tet);  // as of the last step
 
+// The norm of what was kept of strain: eps_p, or F_p - I where plasticity is multiplicative.
+[[nodiscard]] float plastic_strain(const Model& model, const State& state, std::size_t tet);
+
 [[nodiscard]] double kinetic_energy(const Model& model, const State& state);  // joules
 
 // sum V (mu |eps|^2 + lambda / 2 tr(eps)^2), joules. With the rotation nearest to F it is the least this F can have;

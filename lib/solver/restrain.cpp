@@ -31,8 +31,9 @@ struct Slope {
 };
 
 // Writes the free part d of the velocities into `direction`.
-Slope write_direction(const Model& model, const State& state, Workspace& w, const ConstraintCounts& constraints) {
-    const bool is_free = constraints.fixed == 0 && constraints.partial == 0;
+Slope write_direction(const Model& model, const State& state, Workspace& w, const ConstraintCounts& constraints,
+                      const RigidLocks& rigid) {
+    const bool is_free = constraints.fixed == 0 && constraints.partial == 0 && !rigid.is_active;
     const Vec3 mean = is_free ? mean_velocity(model, state, w) : Vec3{};
     for (std::size_t node = 0; node < model.node_count; ++node) {
         const Vec3 d = w.is_fixed[node] ? Vec3{} : moved(state, w, node) - mean;
@@ -52,7 +53,8 @@ Slope write_direction(const Model& model, const State& state, Workspace& w, cons
     return slope;
 }
 
-void step_back(Workspace& w, std::size_t node_count, double t) {
+void step_back(Workspace& w, std::size_t node_count, RigidLocks& rigid, double t) {
+    for (double& change : rigid.change) change *= 1 - t;  // toward standing still
     for (std::size_t i = 0; i < 4 * node_count; ++i) w.change[i] -= static_cast<float>(t) * w.direction[i];
 }
 
@@ -70,20 +72,20 @@ double product_with_matrix(const Model& model, Workspace& w, const Kernels& kern
 }
 
 void restrain(const Model& model, const State& state, Workspace& w, const ConstraintCounts& constraints,
-              const Solved& solved, const Kernels& kernels, const Jobs& jobs) {
-    const Slope slope = write_direction(model, state, w, constraints);
+              const Solved& solved, RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs) {
+    const Slope slope = write_direction(model, state, w, constraints, rigid);
     // A is at least M, hence this bound on the shortening.
     if (!solved.is_too_stiff && !(-slope.along_residual > worthwhile * slope.inertia)) return;
     const double stiffness = solved.is_too_stiff ? 0 : product_with_matrix(model, w, kernels, jobs);
     // Minimum of the sum at v - t d. Where float lost the definiteness of A nothing but standing still is safe.
     const double t = stiffness > 0 ? std::clamp(-slope.along_residual / stiffness, 0.0, 1.0) : 1.0;
-    step_back(w, model.node_count, t);
+    step_back(w, model.node_count, rigid, t);
 }
 
 void shorten_change(const Model& model, const State& state, Workspace& w, const ConstraintCounts& constraints,
-                    double t) {
-    (void)write_direction(model, state, w, constraints);
-    step_back(w, model.node_count, t);
+                    RigidLocks& rigid, double t) {
+    (void)write_direction(model, state, w, constraints, rigid);
+    step_back(w, model.node_count, rigid, t);
 }
 
 }

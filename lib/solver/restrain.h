@@ -14,11 +14,11 @@ namespace crumple::solver {
 
 // Takes away part t of the velocities toward standing still. Uses Workspace::direction.
 void shorten_change(const Model& model, const State& state, Workspace& workspace, const ConstraintCounts& constraints,
-                    double t);
+                    RigidLocks& rigid, double t);
 
 // Shortens Workspace::change where that lowers the sum above; all the way where the solve itself cannot be trusted.
 // REQUIRES: solve() has run.
 void restrain(const Model& model, const State& state, Workspace& workspace, const ConstraintCounts& constraints,
-              const Solved& solved, const Kernels& kernels, const Jobs& jobs);
+              const Solved& solved, RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs);
 
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/measure.h"
+
 namespace crumple::solver {
 namespace {
 
@@ -52,16 +54,10 @@ float largest_plastic_strain(const Model& model, const State& state, const Senso
     for (const Index node : s.node) {
         for (Index k = model.node_start[node]; k < model.node_start[node + 1]; ++k) {
             const std::size_t tet = model.node_corner[k] / 4;
-            const auto& p = state.tets[tet / packet_size].plastic;
-            float squared = 0;
-            for (std::size_t i = 0; i < 6; ++i) {
-                const float value = p[i][tet % packet_size];
-                squared += (i < 3 ? 1 : 2) * value * value;
-            }
-            largest = std::max(largest, squared);
+            largest = std::max(largest, plastic_strain(model, state, tet));
         }
     }
-    return std::sqrt(largest);
+    return largest;
 }
 
 }

@@ -30,7 +30,7 @@ struct SensorReading {
     Vec3f velocity;            // m/s
     Vec3f acceleration;        // m/s^2, between this reading and the last
     float deformation = 0;     // |A - R| of the cluster's best linear map A: 0 while it moves rigidly
-    float plastic_strain = 0;  // the largest norm in the tets around its nodes (additive plasticity)
+    float plastic_strain = 0;  // the largest in the tets around its nodes
 };
 
 // Turn and place of the cluster [Mueller et al. 2005, "Meshless deformations based on shape matching"]:

@@ -2,6 +2,7 @@
 // Preconditioned conjugate gradients with the inverse diagonal blocks as preconditioner, on what constraints leave
 // free.
 #pragma once
+#include "solver/rigid_locks.h"
 #include "solver/step.h"
 
 namespace crumple::solver {
@@ -15,8 +16,15 @@ struct Solved {
 
 [[nodiscard]] SolveJob solve_job(const Model& model, Workspace& workspace);
 
-// Solves A change = load. REQUIRES: blocks, inverse, load and the constraints of the workspace are filled.
+// What conjugate gradients would take many iterations to find: that a body that is hit moves as a whole.
+struct FirstGuess {
+    bool is_given = false;
+    Six motion{};  // of which the solve takes the best multiple
+};
+
+// Solves A change = load, together with the motion of the locks where `rigid` is active. REQUIRES: blocks, inverse,
+// load and the constraints of the workspace are filled.
 Solved solve(const Model& model, Workspace& workspace, std::size_t partial_count, const Settings& settings,
-             const Kernels& kernels, const Jobs& jobs);
+             const State& state, const FirstGuess& guess, RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs);
 
 }

@@ -113,6 +113,9 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const Kernels& wide = kernels(best_isa(settings.isa));
     const ConstraintCounts constraints = gather_constraints(model, workspace, input);
     const double kinetic = kinetic_energy(model, state);
+    FirstGuess guess;
+    // Where nodes stand fast a motion of the whole is no guess.
+    if (constraints.fixed == 0) guess.is_given = fit_jump(model, state, workspace, input, guess.motion);
     start_velocities(model, state, workspace, input);
     const WindPush wind = input.wind ? add_wind(model, state, workspace, *input.wind, input.dt) : WindPush{};
     const ElementJob elements = element_job(model, state, workspace, input, settings);
@@ -121,17 +124,25 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const bool is_too_stiff = assemble(model, workspace, wide, jobs);
     list_partials(model, workspace, input);
     constrain_inverse(model, workspace, constraints.partial);
-    const Solved solved = solve(model, workspace, constraints.partial, settings, wide, jobs);
-    restrain(model, state, workspace, constraints, solved, wide, jobs);
+    RigidLocks rigid;
+    if (input.has_free_carrier)
+        rigid = make_rigid_locks(model, workspace, input.carrier_mass, input.gravity * input.dt);
+    const Solved solved = solve(model, workspace, constraints.partial, settings, state, guess, rigid, wide, jobs);
+    restrain(model, state, workspace, constraints, solved, rigid, wide, jobs);
     const Ledger ledger{kinetic + counts.energy, wind.work};
-    const Advanced end = advance(model, state, workspace, input, constraints, elements, ledger, wide, jobs);
+    const Advanced end = advance(model, state, workspace, input, constraints, elements, ledger, rigid, wide, jobs);
 
     state.header->last_dt = input.dt;
     ++state.header->step_count;
-    report = {solved.iterations, solved.residual, counts.degenerate,  counts.yielding, 0,
-              end.energy,        end.impulse,     end.angular_impulse};
-    report.impulse += wind.impulse;
-    report.angular_impulse += wind.angular_impulse;
+    report.iterations = solved.iterations;
+    report.residual = solved.residual;
+    report.degenerate = counts.degenerate;
+    report.yielding = counts.yielding;
+    report.energy = end.energy;
+    report.impulse = end.impulse + wind.impulse;
+    report.angular_impulse = end.angular_impulse + wind.angular_impulse;
+    report.carrier_velocity = {rigid.change[0], rigid.change[1], rigid.change[2]};
+    report.carrier_turn = {rigid.change[3], rigid.change[4], rigid.change[5]};
     if (end.is_cut) report.warnings |= step_restrained;
     if (is_too_stiff || solved.is_too_stiff) report.warnings |= step_too_stiff;
     if (end.has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;

@@ -70,8 +70,12 @@ struct Constraint {
 struct StepInput {
     float dt = 1.0f / 60;
     Vec3f gravity{0, 0, 0};
-    Vec3f frame_turn;               // rad/s: the positions are in a frame that turns like this
-    Vec3f frame_turn_rate;          // rad/s^2
+    Vec3f frame_turn;       // rad/s: the positions are in a frame that turns like this
+    Vec3f frame_turn_rate;  // rad/s^2
+    // Locked nodes are one rigid body of this mass, the nodes' own included (less counts as that), that the step may
+    // push; velocities are then relative to what it does: StepReport::carrier. None: they stand.
+    bool has_free_carrier = false;
+    double carrier_mass = 0;
     std::span<const Vec3f> forces;  // N or empty, newtons
     const Wind* wind = nullptr;
     std::span<const Constraint> constraints;
@@ -98,6 +102,9 @@ struct StepReport {
     // and inertia are not in it.
     Vec3 impulse;          // N s
     Vec3 angular_impulse;  // N m s
+    // By how much a free carrier is faster and turns faster after the step, in the frame, at its origin.
+    Vec3 carrier_velocity;
+    Vec3 carrier_turn;
 };
 
 StepReport step(const Model& model, State& state, Workspace& workspace, const StepInput& input,

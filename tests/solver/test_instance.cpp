@@ -36,6 +36,7 @@ struct Sleeper {
         input.gravity = {0, -9.81, 0};
         input.room = room;
         input.has_inertia = true;
+        input.is_carrier_free = false;
     }
     InstanceReport step() { return step_instance(body.model, body.state, body.workspace, input, body.settings); }
     // Until it sleeps; seconds, or 100 when it does not.

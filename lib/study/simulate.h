@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene played with a bundle, and what came of it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "bundle/bundle.h"
+#include "core/context.h"
+#include "core/finding.h"
+#include "study/scene.h"
+
+namespace crumple::study {
+
+struct SensorFrame {
+    solver::Quaternion orientation;  // in the world
+    Vec3 origin;
+    float deformation = 0;
+    float plastic_strain = 0;
+    float acceleration = 0;  // m/s^2
+};
+
+// At a time; everything in the world, in doubles rounded to float around the body's start.
+struct Frame {
+    double time_s = 0;
+    std::vector<Vec3f> nodes;                  // N
+    std::vector<std::vector<Vec3f>> vertices;  // one list a visual mesh
+    std::vector<float> plastic_strain;         // T: norm; 0 where not simulated
+    std::vector<SensorFrame> sensors;
+    double kinetic_j = 0;  // relative to the carrier
+    double elastic_j = 0;
+    std::uint32_t iterations = 0;
+    std::uint32_t contacts = 0;
+    std::uint32_t inverted = 0;  // tets with det F <= 0
+    bool is_asleep = false;
+};
+
+struct StepTimes {
+    double median_ms = 0;
+    double p99_ms = 0;
+    double longest_ms = 0;
+};
+
+struct Run {
+    std::vector<Frame> frames;
+    double locked_drift =
+        0;  // largest way of a locked node from its place in the carrier's frame, over the body's size
+    double deepest_dent_m = 0;  // largest way of a node in the carrier's frame at the end
+    std::uint32_t inverted_at_end = 0;
+    std::uint32_t steps = 0;
+    std::uint32_t warned_steps = 0;
+    StepTimes times;  // of steps without drawing; no part of any file
+    std::vector<Finding> findings;
+};
+
+// Throws Error(bad_input) for a bundle that cannot be stepped, Error(usage) for a handle without nodes.
+[[nodiscard]] Run simulate(const Bundle& bundle, const Scene& scene, const Context& context = {});
+
+}
