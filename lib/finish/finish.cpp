@@ -39,6 +39,10 @@ double largest_slide(const Shell& shell, const TetMesh& mesh) {
     return largest;
 }
 
+// Before the local operations the flattest tets go, to this share of the height allowed: the rest of them is mostly
+// mended by operations inside, which take nothing from the shape.
+constexpr double first_share = 0.4;
+
 class Finisher {
 public:
     Finisher(const SurfaceGuard& guard, const TetMesh& mesh, const Params& params, Report& report,
@@ -53,13 +57,10 @@ public:
 
     void merge_crowded() { report_.operations.contractions += merge_crowded_nodes(work_, guard_, context_); }
 
-    // Only what is flat to the limits that hold for flips of the surface.
-    void peel_flattest() {
-        peel({params_.peel_angle_deg, std::min(params_.surface_gap, params_.peel_height), params_.surface_gap_diagonal,
-              volume_});
-    }
+    // Only what hardly shows.
+    void peel_flattest() { (void)peel({params_.peel_angle_deg, first_share * params_.peel_height, volume_}); }
 
-    bool peel_flat() { return peel({params_.peel_angle_deg, params_.peel_height, 1, volume_}); }
+    bool peel_flat() { return peel({params_.peel_angle_deg, params_.peel_height, volume_}); }
 
     void improve() {
         const ImproveReport improved = improve_shapes(

@@ -111,7 +111,7 @@ private:
     bool is_flat(Index tet, const Bandage& bandage, double volume) const {
         const double height = height_of(mesh_, bandage);
         return has_small_angle(mesh_, tet, sine_) && height <= limits_.share_of_edge * mean_edge(mesh_, tet) &&
-               height <= limits_.share_of_diagonal * guard_.diagonal() && report_.spent + volume <= limits_.volume;
+               report_.spent + volume <= limits_.volume;
     }
 
     // The new edge of the surface must have been inside, and nothing that matters may lie on the old one.

@@ -11,10 +11,9 @@
 namespace crumple::finish {
 
 struct PeelLimits {
-    double angle_deg = 12;         // a tet with no smaller dihedral angle is not flat
-    double share_of_edge = 0.05;   // largest height over the mean edge
-    double share_of_diagonal = 1;  // largest height over the shell's diagonal
-    double volume = 0;             // that may go in all, cubic metres; tets outside the shell do not count
+    double angle_deg = 12;        // a tet with no smaller dihedral angle is not flat
+    double share_of_edge = 0.05;  // largest height over the mean edge
+    double volume = 0;            // that may go in all, cubic metres; tets outside the shell do not count
 };
 
 struct PeelReport {

@@ -20,7 +20,7 @@ PeelReport peel(WorkMesh& work, const Shell& shell, PeelLimits limits) {
     return peel_flat_tets(work, guard, limits, {});
 }
 
-constexpr PeelLimits generous{.angle_deg = 12, .share_of_edge = 0.05, .share_of_diagonal = 1, .volume = 1};
+constexpr PeelLimits generous{.angle_deg = 12, .share_of_edge = 0.05, .volume = 1};
 
 TEST(Peel, TheBandageIsWhatTheTestsSay) {
     const TetMesh mesh = bandaged();
@@ -51,7 +51,7 @@ TEST(Peel, LeavesWhatIsThickOrDear) {
     limits.volume = 1e-6;
     EXPECT_EQ(peel(dear, small::shell_of(flat), limits).removed, 0u);
     limits = generous;
-    limits.share_of_diagonal = 1e-4;
+    limits.share_of_edge = 1e-4;
     EXPECT_EQ(peel(dear, small::shell_of(flat), limits).removed, 0u);
     limits = generous;
     limits.angle_deg = 0.1;
