@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runtime solver against two others that make the same steps of the same beam from the same states:
-// - naive: double, Eigen's JacobiSVD, R K R^T as 12 x 12 products, triplets, Eigen's conjugate gradients;
-// - conventional: float, the same wide rotations, element matrices formed and scattered through slots, block-CSR
-//   conjugate gradients without fused loops.
-// ratio = theirs / ours for step_* and rotation_*, ours / theirs for half_inverted and scramble.
+// The runtime solver against a naive one that makes the same steps of the same beam from the same states: double,
+// Eigen's JacobiSVD, R K R^T as 12 x 12 products, triplets, Eigen's conjugate gradients.
+// ratio = theirs / ours for step_*, rotation_* and two_threads_*, ours / theirs for half_inverted and scramble.
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <cstring>
 
 #include "bench/bench.h"
+#include "bench/bench_solver_rows.h"
 #include "bench/cpu_time.h"
 #include "solver/body.h"
 
@@ -432,6 +431,11 @@ void add_all(bool quick) {
     add("rotation_8", [](auto& rows) { add_rotations(rows, "rotation_8", Isa::avx2); });
     add("rotation_16", [](auto& rows) { add_rotations(rows, "rotation_16", Isa::avx512); });
     add("half_inverted", add_half_inverted);
+    add("asleep_us", add_asleep);
+    add("skin_100k", add_skin);
+    if (!quick) {
+        add("two_threads_50k", [](auto& rows) { add_two_threads(rows, beam(80), 48); });
+    }
     add("scramble", [quick](auto& rows) { add_scramble(rows, quick ? 11 : 100); });
 }
 
