@@ -89,6 +89,8 @@ InstanceInput in(const crumple_input& from, const crumple_instance& instance, st
     InstanceInput input;
     input.dt = from.dt;
     input.carrier = in(from.carrier);
+    input.is_carrier_free = from.is_carrier_free != 0;
+    input.carrier_mass = from.carrier_mass;
     input.has_inertia = from.has_inertia != 0;
     input.gravity = in(from.gravity);
     input.obstacles = span_of<Obstacle>(from.obstacles, from.obstacle_count);
@@ -229,6 +231,8 @@ crumple_input crumple_default_input(void) {
     crumple_input input{};
     input.dt = d.dt;
     input.carrier.orientation = {0, 0, 0, 1};
+    input.is_carrier_free = d.is_carrier_free ? 1 : 0;
+    input.carrier_mass = d.carrier_mass;
     input.has_inertia = d.has_inertia ? 1 : 0;
     input.gravity = out(d.gravity);
     input.sleep_speed = d.sleep.speed;

@@ -195,6 +195,8 @@ typedef struct crumple_carrier {
 typedef struct crumple_input {
     float dt;
     crumple_carrier carrier;
+    int is_carrier_free;
+    double carrier_mass;
     int has_inertia;
     crumple_vec3 gravity;
     const crumple_obstacle* obstacles;
