@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The policy on real shells, where the shared data is there.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/random.h"
+#include "dirty/dirty_shell.h"
+
+namespace crumple {
+namespace {
+
+using test::cook_text;
+using test::Cooked;
+using test::fault_of;
+
+std::filesystem::path quality_folder() {
+    const char* wanted = std::getenv("CRUMPLE_DATA");
+    return std::filesystem::path(wanted && *wanted ? wanted : CRUMPLE_DEFAULT_DATA) / "quality";
+}
+
+std::string text_of(const std::string& name) {
+    std::ifstream file(quality_folder() / name);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// The same file with a share of its triangles facing the other way.
+std::string flipped(const std::string& text, double share) {
+    std::istringstream lines(text);
+    std::ostringstream result;
+    Rng random(3, 0);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string keyword, a, b, c;
+        words >> keyword >> a >> b >> c;
+        const bool is_turned = keyword == "f" && random.next_unit() < share;
+        result << (is_turned ? "f " + a + " " + c + " " + b : line) << '\n';
+    }
+    return result.str();
+}
+
+class DirtyAssets : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(quality_folder())) GTEST_SKIP() << "no shared data at " << quality_folder();
+    }
+};
+
+TEST_F(DirtyAssets, AThirdOfSpotsFacesFlippedGivesTheMeshOfSpot) {
+    const Cooked clean = cook_text(text_of("spot.obj"));
+    const Cooked cooked = cook_text(flipped(text_of("spot.obj"), 0.3));
+    ASSERT_EQ(cooked.refusal, "");
+    EXPECT_GT(cooked.import.flipped_triangles, 400u);
+    EXPECT_TRUE(cooked.has("SHELL_INCONSISTENT"));
+    EXPECT_EQ(cooked.mesh.positions, clean.mesh.positions);
+    EXPECT_EQ(cooked.mesh.tets, clean.mesh.tets);
+}
+
+TEST_F(DirtyAssets, WithAHoleSpotIsStillSpot) {
+    const std::string text = text_of("spot.obj");
+    const std::size_t first_face = text.find("\nf ") + 1;
+    const std::size_t second_face = text.find('\n', first_face) + 1;
+    const Cooked cooked = cook_text(text.substr(0, first_face) + text.substr(second_face));
+    ASSERT_EQ(cooked.refusal, "");
+    EXPECT_TRUE(cooked.has("SHELL_HOLES"));
+    EXPECT_NEAR(cooked.cull.volume / cook_text(text).cull.volume, 1, 0.01);
+}
+
+TEST_F(DirtyAssets, EachIsAcceptedWithTheWarningsItDeserves) {
+    const struct {
+        const char* name;
+        std::vector<const char*> codes;
+    } shells[] = {{"cow.obj", {"SHELL_SELF_INTERSECTING"}},
+                  {"suzanne.obj", {"SHELL_OPEN", "SHELL_HOLES", "SHELL_NON_MANIFOLD", "SHELL_SELF_INTERSECTING"}},
+                  {"boxnest.obj", {"SHELL_NESTED"}},
+                  {"carbody.obj", {"SHELL_NESTED", "SAMPLE_THIN"}},
+                  {"fandisk.obj", {"SHELL_NEEDLE"}},
+                  {"bonnet.obj", {"SAMPLE_THIN", "SAMPLE_NO_INTERIOR"}},
+                  {"carhood.obj", {"SAMPLE_THIN", "SAMPLE_NO_INTERIOR"}}};
+    for (const auto& shell : shells) {
+        const Cooked cooked = cook_text(text_of(shell.name));
+        ASSERT_EQ(cooked.refusal, "") << shell.name;
+        EXPECT_EQ(fault_of(cooked), "") << shell.name;
+        for (const char* code : shell.codes) EXPECT_TRUE(cooked.has(code)) << shell.name << " " << code;
+    }
+}
+
+}
+}
