@@ -22,3 +22,10 @@ for mode in none full; do
     draw samples/car/car_shell.glb "build/sample/car_finish_$mode.hdf" -o "samples/pictures/quality_$mode.png" --wire \
         --ghost car_shell --field min_dihedral_deg --range 0,40 --below 15
 done
+
+# After a pole at 15 m/s.
+build/release/crumple cook samples/recipes/car.json -q --keep-work -o build/sample/car_work.hdf \
+    --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb
+build/release/crumple simulate build/sample/car_work.hdf --scene crumple_zone -o build/sample/crash.hdf -q
+scripts/last_frame.py build/sample/crash.hdf car_visual -o build/sample/crashed.obj
+draw build/sample/crashed.obj -o samples/pictures/crashed.png --smooth
