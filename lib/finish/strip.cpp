@@ -23,11 +23,11 @@ bool has_no_thickness(const TetMesh& mesh, Index tet, double diagonal) {
     return 6 * signed_volume(p[a], p[b], p[c], p[d]) <= no_thickness * diagonal * largest;
 }
 
-bool is_exposed(const TetSelection& tets, Index tet) {
-    for (int corner = 0; corner < 4; ++corner) {
-        if (tets.neighbour(tet, corner) == none) return true;
-    }
-    return false;
+// A tet with one face on the surface is no flap: local operations mend it.
+bool is_flap(const TetSelection& tets, Index tet) {
+    int exposed = 0;
+    for (int corner = 0; corner < 4; ++corner) exposed += tets.neighbour(tet, corner) == none;
+    return exposed >= 2;
 }
 
 bool may_go(const TetSelection& tets, const SurfaceGuard& guard, Index tet) {
@@ -53,7 +53,7 @@ std::uint64_t strip_flat_tets(TetMesh& mesh, const SurfaceGuard& guard, const Co
         context.stop_if_cancelled();
         has_stripped = false;
         for (const Index t : flat) {
-            if (!tets.is_there(t) || !is_exposed(tets, t) || !may_go(tets, guard, t)) continue;
+            if (!tets.is_there(t) || !is_flap(tets, t) || !may_go(tets, guard, t)) continue;
             SurfaceChange change;
             change.gone.push_back(t);
             tets.put(change);

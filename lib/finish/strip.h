@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes tets without thickness off the surface. Coplanar shell vertices, rounded to float, have such tets between two
-// triangulations of their plane; which of them culling keeps is chance, and some are left as flaps over nothing.
+// Takes flaps off the surface: tets without thickness of which two faces or more show. Coplanar shell vertices, rounded
+// to float, have such tets between two triangulations of their plane; which of them culling keeps is chance, and some
+// are left as flaps over nothing.
 #pragma once
 #include <cstdint>
 
