@@ -26,7 +26,7 @@ constexpr std::size_t place_count = 20'000;
 
 std::string percent(double share) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
     return text;
 }
 
@@ -103,17 +103,18 @@ Openness measure_openness(const Shell& shell, const Context& context) {
 
 std::vector<Finding> judge_openness(const Openness& openness, double diagonal, bool is_caged) {
     if (openness.holes == 0) return {};
-    const std::string what = std::to_string(openness.holes) + " holes, the largest " +
+    const std::string what = std::to_string(openness.holes) +
+                             (openness.holes == 1 ? " hole, " : " holes, the largest ") +
                              metres(openness.largest_hole * diagonal) + " across (" + percent(openness.largest_hole) +
                              " of the diagonal) in '" + openness.place.name + "'; inside and outside are a guess in " +
                              percent(openness.leak_share) + " of the volume";
     const bool is_small = openness.largest_hole < small_hole;
-    if (is_small || openness.leak_share < harmless_leak || is_caged)
+    if (openness.leak_share < harmless_leak || is_caged)
         return {{"SHELL_HOLES", Severity::warning, what, openness.holes, {openness.place}}};
     const std::string remedy =
         "close it, give single sheets a thickness (import.thicken, metres), or put a lattice around the shell "
         "(import.cage, say 16 cells)";
-    if (openness.leak_share <= hopeless_leak) {
+    if (is_small || openness.leak_share <= hopeless_leak) {
         return {{"SHELL_LEAKS", Severity::warning, what + "; better " + remedy, openness.holes, {openness.place}}};
     }
     char place[96];

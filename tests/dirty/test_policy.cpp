@@ -151,7 +151,7 @@ TEST(Dirty, BetweenHarmlessAndHopelessTheWarningNamesTheWaysOut) {
 TEST(Dirty, AnOpenBowlIsRefusedWithWhatToTry) {
     const Cooked bowl = cook_shell(with_hole(shapes::icosphere(1, 3), {0, 0, 1}, 1.5));
     ASSERT_NE(bowl.refusal, "");
-    for (const char* part : {"SHELL_LEAKS", "1 holes", "of the diagonal", "close it", "import.thicken", "import.cage"})
+    for (const char* part : {"SHELL_LEAKS", "1 hole, ", "of the diagonal", "close it", "import.thicken", "import.cage"})
         EXPECT_TRUE(contains(bowl.refusal, part)) << bowl.refusal;
 }
 
