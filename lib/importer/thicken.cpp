@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 
 #include "core/error.h"
@@ -121,12 +122,19 @@ class Builder {
 public:
     Builder(const Welded& from, Welded& to) : from_(from), to_(to), kept_(from.positions.size(), none) {}
 
+    // Vertices of one place stay one: sheets side by side move their common vertex alike.
     Index add(Index vertex, Vec3 place) {
+        const auto [found, is_new] =
+            at_.try_emplace({place.x, place.y, place.z}, static_cast<Index>(to_.positions.size()));
+        if (!is_new) {
+            to_.locked[found->second] |= from_.locked[vertex];
+            return found->second;
+        }
         to_.positions.push_back(place);
         to_.locked.push_back(from_.locked[vertex]);
         to_.source_vertex.push_back(from_.source_vertex[vertex]);
         if (!from_.colors.empty()) to_.colors.push_back(from_.colors[vertex]);
-        return static_cast<Index>(to_.positions.size() - 1);
+        return found->second;
     }
     void mark(Index vertex) { kept_[vertex] = 0; }
     void keep_marked() {
@@ -136,6 +144,7 @@ public:
     }
     [[nodiscard]] Index kept(Index vertex) const { return kept_[vertex]; }
     void add_triangle(Triangle corners, Index part) {
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
         to_.triangles.push_back(corners);
         to_.part.push_back(part);
     }
@@ -144,6 +153,7 @@ private:
     const Welded& from_;
     Welded& to_;
     std::vector<Index> kept_;
+    std::map<std::array<double, 3>, Index> at_;
 };
 
 Welded emptied(const Welded& shell) {

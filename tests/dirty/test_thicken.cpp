@@ -83,7 +83,9 @@ TEST(Thicken, SheetsThatMeetAtAnEdgeOrAVertexOverlap) {
     bow.triangles = {{0, 1, 2}, {0, 4, 3}};
     const Cooked two = cook_shell(bow, thickness(0.1));
     ASSERT_EQ(two.refusal, "");
-    EXPECT_EQ(two.asset.shell.components.size(), 2u);
+    EXPECT_EQ(two.asset.shell.components.size(), 1u);
+    EXPECT_TRUE(two.asset.shell.components.at(0).is_closed);
+    EXPECT_EQ(two.asset.shell.positions.size(), 10u);
     EXPECT_EQ(test::fault_of(two), "");
 }
 
