@@ -22,6 +22,12 @@ constexpr std::size_t largest_funnel = 6;
 // A tet worse than this would be a new trouble: the sine of 6 degrees.
 constexpr double least_added_shape = 0.1;
 
+// Changes that mend one node and spoil another, at most: each asks all bad nodes.
+constexpr int max_sideways = 50;
+
+// Changes weighed at most: a mesh that is bad all over is not made good by taking it apart.
+constexpr int max_weighed = 50000;
+
 // What could be done about one node.
 class Changes {
 public:
@@ -228,7 +234,7 @@ public:
         report_.nodes_before = wrong.vertices.size();
         waiting_.insert(wrong.vertices.begin(), wrong.vertices.end());
         // A change leaves fewer bad nodes than before, or is one of a limited number that do not: this ends.
-        while (!waiting_.empty()) {
+        while (!waiting_.empty() && weighed_ < max_weighed) {
             context.stop_if_cancelled();
             const SurfaceChange best = best_change();
             if (best.is_empty()) break;
@@ -255,6 +261,7 @@ private:
 
     // How many fewer bad nodes there would be.
     [[nodiscard]] int gain_of(const SurfaceChange& change) {
+        ++weighed_;
         const std::vector<Index> nodes = tets_.nodes_of(change);
         int gain = 0;
         tets_.put(change);
@@ -270,8 +277,9 @@ private:
     // neighbours to change; where all wait, tets go that mend one node and spoil another, for tets come to an end.
     SurfaceChange best_change() {
         SurfaceChange best = best_gaining_change();
-        if (!best.is_empty() || sideways_ >= report_.nodes_before) return best;
+        if (!best.is_empty() || sideways_ >= max_sideways) return best;
         for (const Index node : waiting_) {
+            if (weighed_ >= max_weighed) break;
             Changes changes(tets_, space_, node, false);
             for (SurfaceChange& change : changes.all()) {
                 const bool is_better = best.is_empty() || change.cost < best.cost;
@@ -283,21 +291,34 @@ private:
         return best;
     }
 
+    // Goes on where the last change was found, once around: a node that has none is not asked again for each change
+    // elsewhere.
     SurfaceChange best_gaining_change() {
-        for (const Index node : waiting_) {
-            SurfaceChange best;
-            double best_cost = 0;
-            Changes changes(tets_, space_, node, may_split(node));
-            for (SurfaceChange& change : changes.all()) {
-                if (loses_shell_vertex(change)) continue;
-                const int gain = gain_of(change);
-                if (gain <= 0 || (!best.is_empty() && change.cost / gain >= best_cost)) continue;
-                best_cost = change.cost / gain;
-                best = std::move(change);
-            }
-            if (!best.is_empty()) return best;
+        const std::vector<Index> behind(waiting_.begin(), waiting_.lower_bound(next_));
+        std::vector<Index> order(waiting_.lower_bound(next_), waiting_.end());
+        order.insert(order.end(), behind.begin(), behind.end());
+        for (const Index node : order) {
+            if (weighed_ >= max_weighed) break;
+            SurfaceChange best = best_gaining_change_at(node);
+            if (best.is_empty()) continue;
+            next_ = node;
+            return best;
         }
         return {};
+    }
+
+    SurfaceChange best_gaining_change_at(Index node) {
+        SurfaceChange best;
+        double best_cost = 0;
+        Changes changes(tets_, space_, node, may_split(node));
+        for (SurfaceChange& change : changes.all()) {
+            if (loses_shell_vertex(change)) continue;
+            const int gain = gain_of(change);
+            if (gain <= 0 || (!best.is_empty() && change.cost / gain >= best_cost)) continue;
+            best_cost = change.cost / gain;
+            best = std::move(change);
+        }
+        return best;
     }
 
     void carry_out(const SurfaceChange& change) {
@@ -323,7 +344,9 @@ private:
     std::span<const std::uint8_t> locked_;
     TetSelection tets_;
     std::set<Index> waiting_;
-    std::uint64_t sideways_ = 0;  // changes that mended no more than they spoilt
+    int sideways_ = 0;  // changes that mended no more than they spoilt
+    int weighed_ = 0;   // changes so far, done or not
+    Index next_ = 0;    // bad node to ask first
     RepairReport report_;
 };
 

@@ -73,6 +73,22 @@ TEST(Repair, OpensACavityThatTouchesTheOutside) {
         cells(4, [](int x, int y, int z) { return !(x == 1 && y == 1 && z == 1) && !(x == 0 && y == 0 && z == 1); }));
 }
 
+TEST(Repair, ASpongeEndsSoundWhateverIsLeft) {
+    const TetMesh whole = shapes::tet_grid(5);
+    TetMesh mesh = whole;
+    mesh.tets.clear();
+    for (Index t = 0; t < whole.tets.size(); ++t) {
+        if ((t * 2654435761u >> 7) % 3 != 0) mesh.tets.push_back(whole.tets[t]);
+    }
+    mesh.region.assign(mesh.tets.size(), 0);
+    mesh.neighbours = neighbours_of(mesh.tets);
+    const Repaired repaired = repair_surface(mesh, {}, {});
+    EXPECT_LT(repaired.report.nodes_left, repaired.report.nodes_before / 4);
+    EXPECT_TRUE(small::is_all_positive(repaired.mesh));
+    EXPECT_TRUE(validate(repaired.mesh, 1).empty());
+    EXPECT_EQ(non_manifold(boundary_of(repaired.mesh).faces).vertices.size(), repaired.report.nodes_left);
+}
+
 // Two tets that share node 0 and nothing else.
 TetMesh bow_tie() {
     return small::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
