@@ -116,6 +116,49 @@ TEST(Stability, ForcesThatOverflowStopTheirNodesAndStayFinite) {
     EXPECT_TRUE(body.is_finite());
 }
 
+// S3: a beam on two supports, made so soft that it sags through itself, then stiff again: it comes back whole.
+// Projection can leave a few tets that hold each other inside out.
+TEST(S3BeamCollapse, ComesBackWholeWhenItIsStiffAgain) {
+    const auto beam = [](double young_pa) {
+        Material m = elastic_material(young_pa);
+        m.alpha_per_s = 1;
+        return grid_body({16, 2, 2}, {0.2f, 0.1f, 0.1f}, m, [](Vec3f p) { return p.x < 0.01f || p.x > 3.19f; });
+    };
+    for (const Treatment treatment : {Treatment::reflect, Treatment::project, Treatment::smooth}) {
+        Settings settings;
+        settings.treatment = treatment;
+        settings.max_iterations = 60;
+        Body soft(beam(300), settings);
+        StepInput input;
+        input.gravity = {0, -9.81f, 0};
+        std::uint32_t degenerate = 0;
+        double most = 0;
+        for (int i = 0; i < 300; ++i) {
+            degenerate = std::max(degenerate, soft.step(input).degenerate);
+            if (i % 20 == 0) most = std::max(most, total_energy(soft));
+        }
+        EXPECT_TRUE(soft.is_finite());
+        EXPECT_GT(degenerate, 0u);
+        // Gravity gives at most the weight times the way.
+        double lowest = 0, mass = 0;
+        for (std::size_t i = 0; i < soft.node_count(); ++i) {
+            lowest = std::min(lowest, static_cast<double>(soft.x(i).y));
+            mass += soft.bundle.mass[i];
+        }
+        EXPECT_LT(most, 2 * mass * 9.81 * (0.3 - lowest));
+        Body stiff(beam(1e6), settings);
+        std::memcpy(stiff.bytes().data(), soft.bytes().data(), soft.bytes().size());
+        for (int i = 0; i < 600; ++i) stiff.step(input);
+        EXPECT_TRUE(stiff.is_finite());
+        if (treatment == Treatment::project) {
+            EXPECT_LT(stiff.step(input).degenerate, degenerate / 10);
+            continue;
+        }
+        EXPECT_EQ(stiff.step(input).degenerate, 0u) << name_of(treatment) << ", of " << degenerate << " when soft";
+        EXPECT_GT(stiff.smallest_determinant(), 0.5) << name_of(treatment);
+    }
+}
+
 // S6. Implicit steps stay bounded for any shape; the work goes up.
 TEST(S6Slivers, AFlatBodyOfTinyAnglesStaysBounded) {
     for (const float flat : {1e-1f, 1e-2f, 1e-3f, 1e-4f}) {
