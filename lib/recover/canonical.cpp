@@ -10,8 +10,7 @@ namespace crumple::recover {
 
 namespace {
 
-// An even permutation of the corners: the least first, then the lesser of the two that may come second with the rest
-// following from the sign.
+// The even permutation of the corners that is ascending but for, perhaps, the last two.
 Tet canonical_corners(Tet tet) {
     int swaps = 0;
     for (int i = 0; i < 4; ++i) {

@@ -18,7 +18,7 @@ struct Canonical {
 
 [[nodiscard]] Canonical canonical_task(const TetMesh& mesh, const Shell& shell);
 
-// The tets by their original nodes; nodes that were added follow them. `used` tells which of the added ones stay.
+// The tets by their original nodes; of the nodes that were added those that some tet uses follow.
 [[nodiscard]] TetMesh original_mesh(const Canonical& task, const TetMesh& canonical, const TetMesh& input);
 
 }

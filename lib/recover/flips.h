@@ -32,7 +32,7 @@ struct Exchange {
     std::vector<Index> old;
     std::vector<Tet> fresh;
     int gain = 0;        // obstacles fewer
-    double quality = 0;  // of the worst fresh tet, see quality_of in flips.cpp; larger is better
+    double quality = 0;  // of the worst fresh tet, by quality_of
 };
 
 class Flips {
@@ -90,7 +90,7 @@ private:
     std::vector<Cell> table_;
 };
 
-// Whether the two give the whole of a tet's worth: volume over the cube of its root mean square edge, 1 for the best.
+// Volume over the cube of the root mean square edge: 1 for a regular tet, positive for a positive one.
 [[nodiscard]] double quality_of(const TetComplex& complex, const Tet& tet);
 
 }
