@@ -340,7 +340,8 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
             const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
             update_collapse(job, packet, state, lane, bits(is_bad));
             const Rotor q = rotation_of(job, packet, state, lane, d, g, f, det, is_bad);
-            store_rotor(q, job.states[p].rotation, lane);
+            // What a degenerate tet does depends on its last rotation: that of a way not taken must not stay.
+            store_rotor(select(is_bad, load_rotor(state.rotation, lane), q), job.states[p].rotation, lane);
             to_matrix(q, r);
             energy = energy + strain_energy(packet, lane, elastic_strain(r, f, state, lane));
         }
