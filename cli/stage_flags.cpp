@@ -63,8 +63,8 @@ void add_stage_flags(CLI::App& verb, const pipeline::Stage& stage, std::vector<S
         const std::string value = report::write_json(field.value, report::JsonStyle::compact);
         verb.add_option_function<std::string>(
                 option,
-                [&settings, option, path](const std::string& value) {
-                    settings.push_back({option + " " + value, path + "=" + value});
+                [&settings, option, path](const std::string& text) {
+                    settings.push_back({option + " " + text, path + "=" + text});
                 },
                 wrapped(field.help + " [" + value + "]"))
             ->type_name(type_of(field))
