@@ -218,7 +218,7 @@ TEST(WindingNumber, KnowsExactlyWhatLiesOnTheSurface) {
     EXPECT_TRUE(winding.is_on_surface({2, 0.25, 1.5}));
     EXPECT_FALSE(winding.is_on_surface({2, 0.25, std::nextafter(2.0, 3.0)}));
     EXPECT_FALSE(winding.is_on_surface({1, 1, 1}));
-    const auto& [a, b, c] = shapes::subdivided_box(2, {0, 0, 0}, {2, 2, 2}).triangles[0];
+    const auto [a, b, c] = shapes::subdivided_box(2, {0, 0, 0}, {2, 2, 2}).triangles[0];
     const Vec3 in_the_hole = (box.positions[a] * 2.0 + box.positions[b] + box.positions[c]) * 0.25;
     EXPECT_FALSE(winding.is_on_surface(in_the_hole));
 }
