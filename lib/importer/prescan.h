@@ -33,8 +33,9 @@ struct Prescan {
 // A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's 3 or 6 each.
 [[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
 
-// The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist.
-[[nodiscard]] Prescan prescan_ply(std::string_view bytes);
+// The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist. A
+// shell's colours are of a type whose 0 assimp keeps.
+[[nodiscard]] Prescan prescan_ply(std::string_view bytes, Purpose purpose);
 
 // The counts of the header are those of the lines that follow.
 [[nodiscard]] Prescan prescan_off(std::string_view text);

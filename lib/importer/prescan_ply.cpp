@@ -138,6 +138,17 @@ void check_elements(const Header& header) {
     if (find(header, "tristrips")) refuse("triangle strips are not read; export triangles");
 }
 
+// assimp halves the range of signed integers and so loses every 0, which is a lock.
+void check_colours(const Header& header) {
+    for (const Property& property : find(header, "vertex")->properties) {
+        if (property.name != "red" && property.name != "green" && property.name != "blue") continue;
+        if (property.type.kind == Kind::signed_integer && !property.list_count) {
+            refuse("the vertex colour " + in_quotes(property.name) +
+                   " is of a signed type, whose range has no agreed meaning; export colours as uchar or float");
+        }
+    }
+}
+
 std::string place(const Element& element, std::uint64_t row) {
     return printable(element.name) + " " + std::to_string(row);
 }
@@ -264,9 +275,10 @@ void read_row(Body& body, const Element& element, std::uint64_t row, std::uint64
 
 }
 
-Prescan prescan_ply(std::string_view bytes) {
+Prescan prescan_ply(std::string_view bytes, Purpose purpose) {
     const Header header = read_header(bytes);
     check_elements(header);
+    if (purpose == Purpose::shell) check_colours(header);
     const std::uint64_t vertex_count = find(header, "vertex")->count;
     Prescan result;
     Body body(bytes, header.encoding);

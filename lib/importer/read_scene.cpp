@@ -25,7 +25,7 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
         case FormatId::obj:
             return prescan_obj(bytes, purpose);
         case FormatId::ply:
-            return prescan_ply(bytes);
+            return prescan_ply(bytes, purpose);
         case FormatId::off:
             return prescan_off(bytes);
         case FormatId::gltf:

@@ -139,7 +139,7 @@ void try_one(int kind, Bytes bytes) {
             (void)prescan_obj(text, Purpose::shell);
             return;
         case 1:
-            (void)prescan_ply(text);
+            (void)prescan_ply(text, Purpose::shell);
             return;
         case 2:
             (void)prescan_off(text);

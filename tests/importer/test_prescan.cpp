@@ -20,8 +20,8 @@ std::string message_of(Function&& function) {
 std::string obj_message(std::string_view text, Purpose purpose = Purpose::shell) {
     return message_of([&] { (void)prescan_obj(text, purpose); });
 }
-std::string ply_message(const std::string& bytes) {
-    return message_of([&] { (void)prescan_ply(bytes); });
+std::string ply_message(const std::string& bytes, Purpose purpose = Purpose::shell) {
+    return message_of([&] { (void)prescan_ply(bytes, purpose); });
 }
 std::string off_message(std::string_view text) {
     return message_of([&] { (void)prescan_off(text); });
@@ -76,9 +76,20 @@ const std::string faces = "property list uchar int vertex_indices\n";
 TEST(PrescanPly, AcceptsWhatIsComplete) {
     const std::string bytes =
         ply("element vertex 3\n" + xyz + "element face 1\n" + faces, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    const Prescan scan = prescan_ply(bytes);
+    const Prescan scan = prescan_ply(bytes, Purpose::shell);
     EXPECT_EQ(scan.positions.size(), 3u);
     EXPECT_EQ(scan.expected_triangles, 1u);
+}
+
+TEST(PrescanPly, RefusesPaintWhoseZeroTheReaderLoses) {
+    for (const std::string type : {"char", "int8", "short", "int16", "int", "int32"}) {
+        const std::string file = ply("element vertex 1\n" + xyz + "property " + type + " red\n", "0 0 0 0\n");
+        EXPECT_TRUE(contains(ply_message(file), "'red' is of a signed type")) << type;
+        EXPECT_EQ(ply_message(file, Purpose::visual), "") << type;
+    }
+    for (const std::string type : {"uchar", "ushort", "uint", "float", "double"})
+        EXPECT_EQ(ply_message(ply("element vertex 1\n" + xyz + "property " + type + " red\n", "0 0 0 0\n")), "")
+            << type;
 }
 
 TEST(PrescanPly, RefusesBrokenHeaders) {
