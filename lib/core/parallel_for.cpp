@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -38,7 +39,11 @@ void parallel_for(const Context& context, std::size_t count, std::size_t chunk_s
     };
     {
         std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < thread_count; ++i) threads.emplace_back(work);
+        try {
+            for (std::size_t i = 1; i < thread_count; ++i) threads.emplace_back(work);
+        } catch (const std::system_error&) {
+            // The machine has no more threads to give: those there are do all of it.
+        }
         work();
     }
     for (const auto& failure : failures) {
