@@ -23,8 +23,8 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 void check_output_paths(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const auto& [option, path] = outputs[i];
-        store::check_can_write(path);
+        const auto& [option, path, is_certain] = outputs[i];
+        if (is_certain) store::check_can_write(path);
         for (const std::string& input : inputs) {
             if (is_same_file(path, input))
                 throw Error(ErrorKind::usage, option + " " + path + ": would replace an input");

@@ -9,6 +9,7 @@ namespace crumple::cli {
 struct OutputPath {
     std::string option;  // "--report"
     std::string path;
+    bool is_certain = true;  // false: written in some cases only, so that it need not be writable now
 };
 
 // Each can be written, none is an input, no two are the same file. Throws Error(usage) or Error(file).

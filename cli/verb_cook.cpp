@@ -80,6 +80,7 @@ void check_paths(const CookFlags& flags, const CookRequest& request) {
     std::vector<OutputPath> outputs{{"-o", request.output}};
     if (!flags.report.empty() && !is_stdout(flags.report)) outputs.push_back({"--report", flags.report});
     if (!flags.depfile.empty()) outputs.push_back({"--depfile", flags.depfile});
+    outputs.push_back({"what a quality gate refuses of -o", pipeline::rejected_path(request.output), false});
     check_output_paths(outputs, inputs);
     if (!flags.depfile.empty()) (void)depfile_text(request.output, inputs);
 }

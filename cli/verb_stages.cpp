@@ -6,6 +6,7 @@
 #include "cli/exit_codes.h"
 #include "cli/import_flags.h"
 #include "cli/output_flags.h"
+#include "cli/output_paths.h"
 #include "cli/stage_flags.h"
 #include "cli/verbs.h"
 #include "pipeline/builtin_recipes.h"
@@ -78,7 +79,11 @@ pipeline::Observer observer_of(const Console& console) {
 
 int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& console) {
     const Recipe recipe = recipe_of(stage, flags);
-    pipeline::check_output_path(flags.output.path, inputs_of(flags));
+    const std::vector<std::string> inputs = inputs_of(flags);
+    pipeline::check_output_path(flags.output.path, inputs);
+    check_output_paths({{"-o", flags.output.path},
+                        {"what a quality gate refuses of -o", pipeline::rejected_path(flags.output.path), false}},
+                       inputs);
     Workspace work = load_input(stage, flags);
     const auto& params = recipe.params[pipeline::stage_index(stage.name)];
     const pipeline::StageRun run =

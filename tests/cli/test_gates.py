@@ -29,6 +29,14 @@ class Rejected(program.Case):
         self.assertFalse(self.output.exists())
         self.assertTrue(self.rejected.exists())
 
+    def test_the_place_of_a_refused_result_is_no_input_and_no_other_output(self):
+        self.ok(self.cook("--keep-work"))
+        self.output.rename(self.rejected)
+        before = self.rejected.read_bytes()
+        self.fails(program.run("gates", self.rejected, "-o", self.output), 1, "would replace an input")
+        self.assertEqual(self.rejected.read_bytes(), before)
+        self.fails(self.cook("--report", self.rejected), 1, "name the same file")
+
     def test_the_report_tells_the_figures_and_that_it_was_rejected(self):
         path = self.path("report.json")
         self.fails(self.cook(*STRICT, "--report", path), 4)
