@@ -25,6 +25,7 @@ using pipeline::StageRun;
 using pipeline::UsageMeter;
 
 void put(std::FILE* stream, std::string_view text) {
+    if (text.empty()) return;  // whose data may be null, which fwrite does not allow
     std::fwrite(text.data(), 1, text.size(), stream);
     std::fflush(stream);
 }
@@ -81,7 +82,7 @@ Console::Console()
 
 void Console::result(std::string_view text) const {
     // A result that did not arrive must not look like success to whoever reads only the exit code.
-    const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    const bool is_written = text.empty() || std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (std::fflush(stdout) != 0 || !is_written)
         throw Error(ErrorKind::file, "stdout: the result could not be written; is the disk full or the stream closed?");
 }
