@@ -6,8 +6,8 @@
 
 #include "solver/crumple.h"
 
-/* The file on a 64-byte boundary. */
-static void* read_file(const char* path, size_t* size) {
+/* The file on a 64-byte boundary within *memory, which the caller frees when it steps no more. */
+static void* read_file(const char* path, void** memory, size_t* size) {
     FILE* file = fopen(path, "rb");
     char* bytes = NULL;
     long length;
@@ -15,18 +15,20 @@ static void* read_file(const char* path, size_t* size) {
     fseek(file, 0, SEEK_END);
     length = ftell(file);
     rewind(file);
-    bytes = malloc((size_t)length + 64);
+    *memory = malloc((size_t)length + 64);
+    bytes = *memory;
     if (bytes != NULL) {
         bytes += 64 - (size_t)bytes % 64;
         *size = fread(bytes, 1, (size_t)length, file);
     }
     fclose(file);
-    return bytes; /* lives as long as the program */
+    return bytes;
 }
 
 int main(int argc, char** argv) {
     size_t size = 0;
-    void* blob = argc == 2 ? read_file(argv[1], &size) : NULL;
+    void* memory = NULL;
+    void* blob = argc == 2 ? read_file(argv[1], &memory, &size) : NULL;
     const char* problem = "cannot be read";
     crumple_model* car = NULL;
     crumple_workspace* work = NULL;
@@ -54,5 +56,6 @@ int main(int argc, char** argv) {
     crumple_instance_destroy(body);
     crumple_workspace_destroy(work);
     crumple_model_destroy(car);
+    free(memory);
     return report.warnings & CRUMPLE_NOT_FINITE ? 1 : 0;
 }
