@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "core/disjoint_sets.h"
 #include "geometry/measures.h"
 #include "geometry/self_intersection.h"
 #include "mesh/boundary.h"
@@ -86,38 +86,20 @@ std::vector<Index> surroundings(const Shell& shell, const ShellInterior& interio
     return around;
 }
 
-// Sets of components, each named by its least member.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : leader_(count) { std::iota(leader_.begin(), leader_.end(), Index{0}); }
-    Index leader(Index c) {
-        while (leader_[c] != c) c = leader_[c] = leader_[leader_[c]];
-        return c;
-    }
-    void join(Index a, Index b) {
-        a = leader(a);
-        b = leader(b);
-        leader_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> leader_;
-};
-
 Index count_pieces(const Shell& shell, const std::vector<Index>& around,
                    const std::vector<MeetingTriangles>& meetings) {
-    Groups groups(shell.components.size());
+    DisjointSets groups(shell.components.size());
     for (const MeetingTriangles& meeting : meetings) {
         const Index a = shell.component[meeting.first];
         const Index b = shell.component[meeting.second];
-        if (has_material(shell, a) && has_material(shell, b)) groups.join(a, b);
+        if (has_material(shell, a) && has_material(shell, b)) groups.unite(a, b);
     }
     for (Index c = 0; c < around.size(); ++c) {
-        if (has_material(shell, c) && has_material(shell, around[c])) groups.join(c, around[c]);
+        if (has_material(shell, c) && has_material(shell, around[c])) groups.unite(c, around[c]);
     }
     std::set<Index> leaders;
     for (Index c = 0; c < around.size(); ++c) {
-        if (has_material(shell, c)) leaders.insert(groups.leader(c));
+        if (has_material(shell, c)) leaders.insert(groups.find(c));
     }
     return static_cast<Index>(leaders.size());
 }

@@ -2,12 +2,11 @@
 #include "importer/components.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "core/counted.h"
+#include "core/disjoint_sets.h"
 #include "geometry/measures.h"
-#include "importer/disjoint_sets.h"
 #include "importer/edges.h"
 
 namespace crumple::importer {

@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
+#include "core/disjoint_sets.h"
 #include "core/error.h"
 #include "geometry/measures.h"
-#include "importer/disjoint_sets.h"
 #include "importer/edges.h"
 
 namespace crumple::importer {

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of numbers that grow together.
+// SPDX-License-Identifier: MIT
+// Sets of numbers that grow together; each is named by its least member.
 #pragma once
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include "core/index.h"
 
-namespace crumple::importer {
+namespace crumple {
 
 class DisjointSets {
 public:
