@@ -12,6 +12,7 @@
 #include "report/text_view.h"
 #include "samples/samples.h"
 #include "store/write_file.h"
+#include "study/load_scene.h"
 
 namespace crumple::cli {
 
@@ -22,8 +23,14 @@ struct SchemaFlags {
     std::string folder;
 };
 
+std::vector<pipeline::SchemaFile> all_schemas() {
+    std::vector<pipeline::SchemaFile> files = pipeline::all_schemas();
+    files.push_back({"scene.schema.json", study::scene_schema()});
+    return files;
+}
+
 int run_schema(const SchemaFlags& flags, const Console& console) {
-    const std::vector<pipeline::SchemaFile> files = pipeline::all_schemas();
+    const std::vector<pipeline::SchemaFile> files = all_schemas();
     std::vector<std::string> names;
     for (const pipeline::SchemaFile& file : files) {
         names.push_back(file.name.substr(0, file.name.find('.')));

@@ -51,6 +51,13 @@ class Outputs(program.Case):
         with self.assertRaises(jsonschema.ValidationError):
             self.obeys("recipe", {"relax": {"sweeps": -5}})
 
+    def test_the_scenes_obey(self):
+        scenes = sorted((program.SOURCE / "pipelines" / "scenes").glob("*.json"))
+        self.assertTrue(scenes)
+        for path in scenes:
+            with self.subTest(path.name):
+                self.obeys("scene", json.loads(path.read_text()))
+
     def test_the_report_of_a_cook_and_of_every_stage_obeys(self):
         report = self.json_of(self.cook("--format", "json", "-q"))
         self.obeys("cook_report", report)
