@@ -2,8 +2,6 @@
 // What quality costs in fidelity: the same shell finished not at all, peeled, and in full with the surface allowed to
 // stray further and further from the shell. One row a shell and setting; scripts/chart_curve.py draws them.
 #include <cstdio>
-#include <filesystem>
-#include <iostream>
 
 #include "bench/bench.h"
 #include "bench/mesh_case.h"
@@ -52,11 +50,4 @@ void add_all(bool quick) {
 }
 }
 
-int main(int argc, char** argv) {
-    if (!std::filesystem::is_directory(crumple::bench::quality_folder())) {
-        std::cerr << crumple::bench::quality_folder().string()
-                  << " is not there; set CRUMPLE_DATA to the folder of test shells\n";
-        return 2;
-    }
-    return crumple::bench::run(argc, argv, crumple::add_all);
-}
+int main(int argc, char** argv) { return crumple::bench::run_on_shells(argc, argv, crumple::add_all); }

@@ -9,7 +9,6 @@
 // Every figure is measured here, on the mesh, in the same way for all tools. A tool that fails is a row of nulls.
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 
 #include "bench/bench.h"
 #include "bench/mesh_case.h"
@@ -105,11 +104,4 @@ void add_all(bool quick) {
 }
 }
 
-int main(int argc, char** argv) {
-    if (!std::filesystem::is_directory(crumple::bench::quality_folder())) {
-        std::cerr << crumple::bench::quality_folder().string()
-                  << " is not there; set CRUMPLE_DATA to the folder of test shells\n";
-        return 2;
-    }
-    return crumple::bench::run(argc, argv, crumple::add_all);
-}
+int main(int argc, char** argv) { return crumple::bench::run_on_shells(argc, argv, crumple::add_all); }

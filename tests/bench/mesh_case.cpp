@@ -23,6 +23,14 @@ std::filesystem::path quality_folder() {
     return std::filesystem::path(folder ? folder : "../shared/data") / "quality";
 }
 
+int run_on_shells(int argc, char** argv, void (*add_all)(bool quick)) {
+    if (!std::filesystem::is_directory(quality_folder())) {
+        std::cerr << quality_folder().string() << " is not there; set CRUMPLE_DATA to the folder of test shells\n";
+        return 2;
+    }
+    return run(argc, argv, add_all);
+}
+
 MeshCase::MeshCase(const std::string& name) : name_(name) {
     imported_.sources.shell = path().string();
     const pipeline::Stage& import = pipeline::find_stage("import");

@@ -17,6 +17,9 @@ namespace crumple::bench {
 // quality/ in the folder CRUMPLE_DATA, which is ../shared/data where the variable is not set.
 [[nodiscard]] std::filesystem::path quality_folder();
 
+// run(), or 2 and a word on stderr where that folder is not there.
+int run_on_shells(int argc, char** argv, void (*add_all)(bool quick));
+
 struct Made {
     TetMesh mesh;
     double cpu_s = 0;  // of the stages from the points to the last one that changes tets
