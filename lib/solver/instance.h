@@ -22,6 +22,8 @@ struct InstanceInput {
     bool is_carrier_free = true;
     double carrier_mass = 0;
     // The carrier's acceleration and turning throw the nodes about: of a free one, what others than this body do to it.
+    // A carrier that is moved by the load only a step later stays stable while the free nodes weigh less than half of
+    // it.
     bool has_inertia = false;
     Vec3 gravity{0, -9.81, 0};
     std::span<const Obstacle> obstacles;
