@@ -17,7 +17,10 @@ jobs() {
 }
 
 launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}"  # without, nothing that uses a precompiled header is kept
+fi
 
 cmake --preset "$preset" "${launcher[@]}" >&2
 targets=()

@@ -48,6 +48,26 @@ function(crumple_module name)
     set_property(GLOBAL PROPERTY CRUMPLE_MODULE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()
 
+# A test's own code need not be fast, it has to be compiled: optimizing it less saves a quarter of that.
+function(_crumple_test_flags target)
+    _crumple_flags(${target})
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# What nearly every test includes, compiled once for all of them: it takes a third off a test's compile time. The clang preset
+# builds without, so that each file still names the headers it needs.
+function(_crumple_test_headers)
+    if(TARGET crumple_test_headers)
+        return()
+    endif()
+    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/test_headers.cpp CONTENT "")
+    add_library(crumple_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
+    target_link_libraries(crumple_test_headers PRIVATE GTest::gtest)
+    target_precompile_headers(crumple_test_headers PRIVATE <algorithm> <filesystem> <fstream> <functional> <gtest/gtest.h>
+        <map> <memory> <set> <sstream> <string> <vector>)
+    _crumple_test_flags(crumple_test_headers)
+endfunction()
+
 # One test program a module: tests/<module>/test_*.cpp against the module and everything below it.
 function(crumple_test name)
     if(NOT CRUMPLE_TESTS)
@@ -61,7 +81,9 @@ function(crumple_test name)
     endif()
     target_link_libraries(test_${name} PRIVATE ${used_targets} ${arg_PACKAGES} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    _crumple_flags(test_${name})
+    _crumple_test_flags(test_${name})
+    _crumple_test_headers()
+    target_precompile_headers(test_${name} REUSE_FROM crumple_test_headers)
     include(GoogleTest)
     # Tests that need the shared data read CRUMPLE_DATA and skip visibly where it is absent.
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
