@@ -38,6 +38,26 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
              lost,
              {}});
     }
+    if (scene.unread.free_form > 0) {
+        findings.push_back({"FILE_FREE_FORM",
+                            Severity::warning,
+                            report.name + ": " +
+                                counted(scene.unread.free_form, "free-form curve or surface was",
+                                        "free-form curves and surfaces were") +
+                                " not read; convert to polygons what belongs to the surface",
+                            scene.unread.free_form,
+                            {}});
+    }
+    if (scene.unread.bytes > 0) {
+        findings.push_back({"FILE_UNREAD",
+                            Severity::warning,
+                            report.name + ": " + counted(scene.unread.bytes, "byte follows", "bytes follow") +
+                                " the last element that the header announces and " +
+                                (scene.unread.bytes == 1 ? "was" : "were") +
+                                " not read; are the counts in the header too small?",
+                            scene.unread.bytes,
+                            {}});
+    }
     if (report.points_and_lines > 0) {
         findings.push_back({"FILE_POINTS_AND_LINES",
                             Severity::info,

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/stat.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <utility>
 
 #include "core/error.h"
 #include "importer/read_scene.h"
-#include "sandbox/sandbox.h"
+#include "importer/source_file.h"
 
 namespace crumple::importer {
 
 namespace {
 
-void check_can_open(const std::string& path) {
-    struct stat status {};
-    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-        const char* what = S_ISDIR(status.st_mode) ? "a folder" : "a device or pipe";
-        throw Error(ErrorKind::file, path + ": is " + what + "; a file was expected");
+void check_given(const std::string& path) {
+    if (path.empty()) throw Error(ErrorKind::file, "the path of an input is empty; say which file");
+    try {
+        check_can_open(path);
+    } catch (const Error& error) {
+        throw Error(error.kind(), path + ": " + error.what());
     }
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (!file) throw Error(ErrorKind::file, path + ": cannot be opened: " + std::strerror(errno));
-    std::fclose(file);
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
@@ -49,22 +43,42 @@ void check_can_open(const std::string& path) {
     throw Error(is_ours ? kind : ErrorKind::bad_input, path + ": " + outcome.message);
 }
 
+// What the work answers in a child process.
+std::vector<std::byte> answer_of(const std::string& path, const Params& params,
+                                 const std::function<std::vector<std::byte>()>& work) {
+    auto outcome = sandbox::run_in_child(work, limits_of(params));
+    if (outcome.ending != sandbox::Ending::ok) report(path, outcome);
+    return std::move(outcome.answer);
 }
 
-Scene load_scene(const std::string& path, Purpose purpose, const Params& params) {
-    check_can_open(path);
-    const Format& format = format_of(path);
+}
+
+sandbox::Limits limits_of(const Params& params) {
     sandbox::Limits limits;
     limits.memory_bytes = std::size_t{params.memory_mb} << 20;
     limits.answer_bytes = limits.memory_bytes;
     limits.time_s = params.time_s;
-    const auto outcome = sandbox::run_in_child([&] { return encode(read_scene(path, format, purpose)); }, limits);
-    if (outcome.ending != sandbox::Ending::ok) report(path, outcome);
+    return limits;
+}
+
+Scene load_scene(const std::string& path, Purpose purpose, const Params& params) {
+    check_given(path);
+    const Format& format = format_of(path);
+    const auto answer = answer_of(path, params, [&] { return encode(read_scene(path, format, purpose)); });
     try {
-        return decode(outcome.answer);
+        return decode(answer);
     } catch (const Error& error) {
         throw Error(error.kind(), path + ": " + error.what());
     }
+}
+
+void look_at_file(const std::string& path, Purpose purpose, const Params& params) {
+    check_given(path);
+    const Format& format = format_of(path);
+    (void)answer_of(path, params, [&] {
+        look_at_bytes(path, format, purpose);
+        return std::vector<std::byte>();
+    });
 }
 
 }

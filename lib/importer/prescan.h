@@ -3,6 +3,7 @@
 // loses: the numbers as the text states them (assimp's parser is up to a few ulp off) and the order of OBJ vertices.
 #pragma once
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,28 +20,41 @@ struct ReadNumber {
     float exact = 0;
 };
 
+// A file that belongs to a glTF file.
+struct ExternalBuffer {
+    std::string uri;         // as the file says
+    std::string name;        // in Prescan::surface_only
+    std::uint64_t size = 0;  // bytes it must have at least
+};
+
 struct Prescan {
     std::vector<Vec3f> positions;         // the file's vertices in order, nearest float; empty: nothing to restore
     std::vector<Vec3f> assimp_positions;  // OBJ: the same as assimp's parser reads them, by which its corners are found
     std::vector<float> reds;              // OBJ: of positions, where all have colours
     std::vector<ReadNumber> numbers;      // every number of other text formats, ascending by read, then exact
     std::vector<Affine> transforms;       // glTF: of its nodes
+    std::vector<ExternalBuffer> buffers;  // glTF: what it needs of other files
+    std::string surface_only;             // glTF: what assimp is to read instead of the file, empty: the file
     std::uint64_t expected_triangles = 0;  // from polygon sizes, 0: not counted
+    Unread unread;
 };
 
 // All throw Error(bad_input) that says where in the file.
 
-// A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's 3 or 6 each.
+// A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's 3 or 6 each. Objects and materials are not
+// more than assimp can tell apart in a few seconds.
 [[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
 
 // The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist. A
-// shell's colours are of a type whose 0 assimp keeps.
+// shell's colours have names and a type whose 0 assimp keeps, and values of that type.
 [[nodiscard]] Prescan prescan_ply(std::string_view bytes, Purpose purpose);
 
-// The counts of the header are those of the lines that follow.
-[[nodiscard]] Prescan prescan_off(std::string_view text);
+// The counts of the header are those of the lines that follow, and each vertex of a shell has the numbers that the
+// header's keyword says.
+[[nodiscard]] Prescan prescan_off(std::string_view text, Purpose purpose);
 
-// Binary glTF: the chunks fit the file. Both: version 2, no accessor reaches beyond its buffer.
+// Binary glTF: the chunks fit the file. Both: version 2, no extension that hides the geometry, no accessor reaches
+// beyond its buffer, no node is its own parent.
 [[nodiscard]] Prescan prescan_gltf(std::string_view bytes);
 
 // Collects the numbers of COLLADA, X, and of FBX and STL where they are text; never throws.

@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/index.h"
+#include "importer/gltf_document.h"
+#include "importer/gltf_surface.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 
@@ -17,62 +15,11 @@ namespace crumple::importer {
 
 namespace {
 
-using Json = nlohmann::json;
+using gltf::Json;
+using gltf::list;
+using gltf::number;
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::bad_input, what); }
-
-constexpr std::uint32_t glb_magic = 0x46546c67;   // "glTF"
-constexpr std::uint32_t json_chunk = 0x4e4f534a;  // "JSON"
-constexpr std::size_t glb_header_size = 12;
-constexpr std::size_t chunk_header_size = 8;
-
-std::uint32_t u32_at(std::string_view bytes, std::size_t offset) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
-
-bool is_binary(std::string_view bytes) { return bytes.size() >= 4 && u32_at(bytes, 0) == glb_magic; }
-
-// The JSON chunk of a binary file, after the sizes were found to fit.
-std::string_view json_of_binary(std::string_view bytes) {
-    if (bytes.size() < glb_header_size + chunk_header_size) refuse("the file ends within its header");
-    if (u32_at(bytes, 4) != 2)
-        refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export glTF 2.0");
-    if (u32_at(bytes, 8) > bytes.size()) {
-        refuse("the header announces " + std::to_string(u32_at(bytes, 8)) + " bytes, the file has " +
-               std::to_string(bytes.size()));
-    }
-    const std::size_t size = u32_at(bytes, glb_header_size);
-    if (u32_at(bytes, glb_header_size + 4) != json_chunk) refuse("the first chunk is not JSON");
-    if (size > bytes.size() - glb_header_size - chunk_header_size) refuse("the JSON chunk is longer than the file");
-    return bytes.substr(glb_header_size + chunk_header_size, size);
-}
-
-Json parse(std::string_view text) {
-    Json document = Json::parse(text, nullptr, false);
-    if (!document.is_object()) refuse("the JSON is damaged");
-    return document;
-}
-
-const Json& list(const Json& document, const char* name) {
-    static const Json empty = Json::array();
-    const auto found = document.find(name);
-    if (found == document.end()) return empty;
-    if (!found->is_array()) refuse(std::string(name) + " is not a list");
-    return *found;
-}
-
-// A non-negative whole number, or the value given where the key is absent.
-std::uint64_t number(const Json& object, const char* name, std::uint64_t absent) {
-    if (!object.is_object()) refuse(std::string("an object with '") + name + "' was expected");
-    const auto found = object.find(name);
-    if (found == object.end()) return absent;
-    constexpr std::uint64_t most = std::uint64_t{1} << 48;  // sums and products of these stay in 64 bits
-    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > most)
-        refuse(std::string(name) + " is not a size");
-    return found->get<std::uint64_t>();
-}
 
 constexpr std::uint64_t component_float = 5126;
 
@@ -103,6 +50,19 @@ std::uint64_t component_count(const Json& accessor) {
     refuse("an accessor has no known type");
 }
 
+// A buffer of a binary file's own chunk, of a data URI or of another file; only the first can be measured here.
+void check_buffer(const gltf::Document& document, const Json& buffer, std::size_t index) {
+    const std::uint64_t size = number(buffer, "byteLength", 0);
+    const std::string name = "buffer " + std::to_string(index);
+    const bool is_chunk = document.is_binary && index == 0;
+    if (!gltf::uri_of(buffer).empty() || size == 0) return;
+    if (!is_chunk) refuse(name + " has no uri; export as .glb, or with its buffers");
+    if (size > document.binary.size()) {
+        refuse(name + " has " + std::to_string(size) + " bytes, the file's binary chunk " +
+               std::to_string(document.binary.size()) + "; the file is damaged or cut short");
+    }
+}
+
 void check_view(const Json& document, const Json& view, std::size_t index) {
     const Json& buffers = list(document, "buffers");
     const std::uint64_t buffer = number(view, "buffer", none);
@@ -114,21 +74,36 @@ void check_view(const Json& document, const Json& view, std::size_t index) {
     }
 }
 
+// `count` elements of so many bytes each lie within a view.
+void check_reach(const Json& document, const Json& holder, std::uint64_t count, std::uint64_t element,
+                 const std::string& name) {
+    const std::uint64_t index = number(holder, "bufferView", none);
+    const Json& views = list(document, "bufferViews");
+    if (index >= views.size()) refuse(name + " refers to no buffer view");
+    const std::uint64_t stride = number(views[index], "byteStride", element);
+    constexpr std::uint64_t most = std::uint64_t{1} << 15;
+    if (stride > most || count > (std::uint64_t{1} << 40)) refuse(name + " is too large");
+    if (number(holder, "byteOffset", 0) + stride * (count - 1) + element > number(views[index], "byteLength", 0))
+        refuse(name + " reaches beyond its buffer view");
+}
+
+void check_sparse(const Json& document, const Json& sparse, std::uint64_t element, const std::string& name) {
+    const std::uint64_t count = number(sparse, "count", 0);
+    if (count == 0 || !sparse.contains("indices") || !sparse.contains("values"))
+        refuse(name + " is sparse without indices or values");
+    const Json& indices = sparse["indices"];
+    check_reach(document, indices, count, component_size(number(indices, "componentType", 0)), name + " (sparse)");
+    check_reach(document, sparse["values"], count, element, name + " (sparse)");
+}
+
 void check_accessor(const Json& document, const Json& accessor, std::size_t index) {
     const std::uint64_t count = number(accessor, "count", 0);
     const std::uint64_t element = component_size(number(accessor, "componentType", 0)) * component_count(accessor);
-    const std::uint64_t view_index = number(accessor, "bufferView", none);
-    if (view_index == none || count == 0) return;  // zeros, or a sparse accessor
-    const Json& views = list(document, "bufferViews");
-    if (view_index >= views.size()) refuse("accessor " + std::to_string(index) + " refers to no buffer view");
-    const std::uint64_t stride = number(views[view_index], "byteStride", element);
-    constexpr std::uint64_t most = std::uint64_t{1} << 15;
-    if (stride > most || count > (std::uint64_t{1} << 40))
-        refuse("accessor " + std::to_string(index) + " is too large");
-    const std::uint64_t end = number(accessor, "byteOffset", 0) + stride * (count - 1) + element;
-    if (end > number(views[view_index], "byteLength", 0)) {
-        refuse("accessor " + std::to_string(index) + " reaches beyond its buffer view");
-    }
+    const std::string name = "accessor " + std::to_string(index);
+    if (count == 0) return;
+    if (accessor.contains("sparse")) check_sparse(document, accessor["sparse"], element, name);
+    // Without a view it is all zeros, or all in the sparse part.
+    if (number(accessor, "bufferView", none) != none) check_reach(document, accessor, count, element, name);
 }
 
 // `count` real numbers under a key, or those given where the key is absent.
@@ -179,6 +154,8 @@ void check_attributes(const Json& document, const Json& attributes) {
     const std::uint64_t position = number(attributes, "POSITION", none);
     if (position == none) return;
     const Json& positions = accessor_at(document, position);
+    if (number(positions, "bufferView", none) == none && !positions.contains("sparse"))
+        refuse("positions without a buffer are all 0: is the file compressed (Draco)? Export without compression");
     if (number(positions, "componentType", 0) != component_float || component_count(positions) != 3) {
         refuse("positions are not three floats (quantized?); export without compression");
     }
@@ -206,37 +183,94 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive) {
     return corners >= 3 ? corners - 2 : 0;
 }
 
-// Extensions that change how geometry is stored and that assimp does not know; it would read noise.
+// Extensions about light, looks and notes: what does not know them still sees the same surface.
+constexpr std::string_view harmless[] = {"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_animation_",
+                                         "KHR_xmp",        "EXT_texture_", "EXT_lights_", "MSFT_texture_",
+                                         "KHR_node_",      "KHR_audio"};
+
+// glTF 2.0, section 3.12: a file whose required extension one does not know must not be loaded.
+void check_extension(const std::string& name) {
+    if (std::any_of(std::begin(harmless), std::end(harmless), [&](auto start) { return name.starts_with(start); }))
+        return;
+    const bool is_compression = name == "KHR_draco_mesh_compression" || name == "KHR_mesh_quantization" ||
+                                name.ends_with("_meshopt_compression");
+    refuse((is_compression ? "its geometry is compressed (" : "it needs the extension ") + in_quotes(name) +
+           (is_compression ? "), which is not read; export without compression"
+                           : ", which is not read; export without it"));
+}
+
 void check_extensions(const Json& document) {
     for (const Json& name : list(document, "extensionsRequired")) {
-        for (const char* unread : {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-            if (name == unread) refuse(std::string("it needs ") + unread + ", which is not read; export without it");
+        if (!name.is_string()) refuse("the name of a required extension is no text");
+        check_extension(name.get<std::string>());
+    }
+    for (const Json& node : list(document, "nodes")) {
+        if (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing"))
+            refuse("a node is drawn many times (EXT_mesh_gpu_instancing), which is not read; export copies instead");
+    }
+}
+
+// A node has one parent at most, and none is above itself.
+void check_nodes(const Json& document) {
+    constexpr std::size_t deepest = 1000;
+    const Json& nodes = list(document, "nodes");
+    std::vector<std::size_t> parent(nodes.size(), nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        for (const Json& child : list(nodes[n], "children")) {
+            const std::uint64_t c = child.is_number_unsigned() ? child.get<std::uint64_t>() : nodes.size();
+            if (c >= nodes.size()) refuse("node " + std::to_string(n) + " has a child that is not there");
+            if (parent[c] < nodes.size()) refuse("node " + std::to_string(c) + " has two parents");
+            parent[c] = n;
         }
     }
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        std::size_t depth = 0;
+        for (std::size_t above = parent[n]; above < nodes.size(); above = parent[above]) {
+            if (++depth > deepest) {
+                refuse("node " + std::to_string(n) + " is nested more than " + std::to_string(deepest) +
+                       " deep, or within itself");
+            }
+        }
+    }
+}
+
+std::uint64_t count_triangles(const Json& document) {
+    std::uint64_t count = 0;
+    for (const Json& mesh : list(document, "meshes")) {
+        if (!mesh.is_object()) refuse("a mesh is not an object");
+        for (const Json& primitive : list(mesh, "primitives")) {
+            if (!primitive.is_object()) refuse("a primitive is not an object");
+            count += triangles_of(document, primitive);
+        }
+    }
+    return count;
 }
 
 }
 
 Prescan prescan_gltf(std::string_view bytes) {
-    const Json document = parse(is_binary(bytes) ? json_of_binary(bytes) : bytes);
-    check_version(document);
-    check_extensions(document);
-    const Json& views = list(document, "bufferViews");
-    for (std::size_t i = 0; i < views.size(); ++i) check_view(document, views[i], i);
-    const Json& accessors = list(document, "accessors");
-    for (std::size_t i = 0; i < accessors.size(); ++i) check_accessor(document, accessors[i], i);
+    gltf::Document document = gltf::parse(bytes);
+    const Json& json = document.json;
+    check_version(json);
+    check_extensions(json);
+    const Json& buffers = list(json, "buffers");
+    for (std::size_t i = 0; i < buffers.size(); ++i) check_buffer(document, buffers[i], i);
+    const Json& views = list(json, "bufferViews");
+    for (std::size_t i = 0; i < views.size(); ++i) check_view(json, views[i], i);
+    const Json& accessors = list(json, "accessors");
+    for (std::size_t i = 0; i < accessors.size(); ++i) check_accessor(json, accessors[i], i);
 
     Prescan result;
-    const Json& nodes = list(document, "nodes");
-    for (const Json& node : nodes) result.transforms.push_back(transform_of(node));
-    const Json& meshes = list(document, "meshes");
-    for (const Json& mesh : meshes) {
-        if (!mesh.is_object()) refuse("a mesh is not an object");
-        for (const Json& primitive : list(mesh, "primitives")) {
-            if (!primitive.is_object()) refuse("a primitive is not an object");
-            result.expected_triangles += triangles_of(document, primitive);
+    for (const Json& node : list(json, "nodes")) result.transforms.push_back(transform_of(node));
+    check_nodes(json);
+    result.expected_triangles = count_triangles(json);
+    for (const char* name : {"scenes", "materials"}) {
+        for (const Json& item : list(json, name)) {
+            if (!item.is_object()) refuse(std::string("one of the ") + name + " is not an object");
         }
     }
+    result.buffers = gltf::external_buffers(json);
+    result.surface_only = gltf::surface_only(std::move(document));
     return result;
 }
 

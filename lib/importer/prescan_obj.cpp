@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <unordered_set>
 
 #include "core/error.h"
 #include "importer/assimp_number.h"
@@ -142,6 +143,43 @@ private:
     std::size_t line_of_largest_ = 0;
 };
 
+// assimp looks for a name among all it met so far, one by one. Counted are the names it compares.
+class Names {
+public:
+    void read(std::string_view keyword, std::string_view name, std::size_t line) {
+        std::unordered_set<std::string>& known = keyword == "o" ? objects_ : materials_;
+        known.emplace(name);
+        compared_ += known.size();
+        if (compared_ <= most) return;
+        refuse(line, "too many objects and materials (`o` and `usemtl` lines, so far " +
+                         std::to_string(objects_.size()) + " and " + std::to_string(materials_.size()) +
+                         " names); join objects before exporting, or name groups (`g`) instead");
+    }
+
+private:
+    static constexpr std::uint64_t most = 400'000'000;  // some seconds
+    std::unordered_set<std::string> objects_;
+    std::unordered_set<std::string> materials_;
+    std::uint64_t compared_ = 0;
+};
+
+// Statements of curves and surfaces that are not polygons [Wavefront, Advanced Visualizer manual, appendix B1].
+bool is_free_form(std::string_view keyword) {
+    for (const char* free_form : {"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp"}) {
+        if (keyword == free_form) return true;
+    }
+    return false;
+}
+
+void check_is_surface(const Prescan& scan) {
+    if (scan.positions.empty()) throw Error(ErrorKind::bad_input, "no `v` line: this is no OBJ file with vertices");
+    if (scan.expected_triangles > 0) return;
+    throw Error(ErrorKind::bad_input, scan.unread.free_form > 0
+                                          ? "it has no faces, only free-form curves and surfaces, which are not read; "
+                                            "convert them to polygons"
+                                          : "it has no faces, only points; a surface is needed");
+}
+
 // The red of a `v` line as it stands there, for vertices that no face uses: the reader drops those.
 float red_of(const VertexLine& vertex) {
     const auto red = vertex.count == 6 ? to_number<double>(vertex.words[3]) : std::nullopt;
@@ -154,12 +192,15 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
     Prescan result;
     Lines lines(text);
     Faces faces;
+    Names names;
     std::size_t first_count = 0;
     for (std::string_view line; lines.next(line);) {
         const std::string_view keyword = next_word(line);
         if (keyword == "f") {
             result.expected_triangles += faces.read(line, lines.number(), result.positions.size());
         }
+        if (keyword == "o" || keyword == "usemtl") names.read(keyword, line, lines.number());
+        if (is_free_form(keyword)) ++result.unread.free_form;
         if (keyword != "v") continue;
         const VertexLine vertex = split(line);
         check_number_count(vertex.count, first_count, lines.number(), purpose);
@@ -168,7 +209,7 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
         if (purpose == Purpose::shell && vertex.count == 6) result.reds.push_back(red_of(vertex));
     }
     faces.check_against(result.positions.size());
-    if (result.positions.empty()) throw Error(ErrorKind::bad_input, "no `v` line: this is no OBJ file with vertices");
+    check_is_surface(result);
     return result;
 }
 

@@ -20,14 +20,16 @@ class Lines {
 public:
     explicit Lines(std::string_view text) : left_(text) {}
 
-    // The next line that says something; false at the end.
+    // The next line that says something, without its comment; false at the end.
     bool next(std::string_view& line) {
         while (!left_.empty()) {
             line = next_line(left_);
             ++number_;
             std::string_view rest = line;
             const std::string_view word = next_word(rest);
-            if (!word.empty() && word[0] != '#') return true;
+            if (word.empty() || word[0] == '#') continue;
+            line = line.substr(0, line.find('#'));
+            return true;
         }
         return false;
     }
@@ -39,31 +41,65 @@ private:
     std::size_t number_ = 0;
 };
 
-struct Counts {
+struct Header {
     std::uint64_t vertices = 0;
     std::uint64_t faces = 0;
+    std::string keyword;      // "COFF"
+    std::size_t numbers = 3;  // of a vertex: 3, normal 3, colour 4, texture 2
+    bool has_colors = false;
 };
 
-Counts read_header(Lines& lines) {
+// [ST][C][N][4][n]OFF; assimp knows no other order.
+Header read_keyword(std::string_view word) {
+    Header header;
+    header.keyword = word;
+    if (!word.ends_with("OFF")) refuse("line 1: OFF is missing");
+    word.remove_suffix(3);
+    if (word.find_first_of("4n") != std::string_view::npos)
+        refuse("line 1: " + in_quotes(header.keyword) + " is of another dimension; only 3D is read");
+    if (word.find_first_not_of("STCN") != std::string_view::npos)
+        refuse("line 1: " + in_quotes(header.keyword) + " is no word of OFF; write OFF or COFF");
+    const bool has_normals = word.find('N') != std::string_view::npos;
+    header.has_colors = word.find('C') != std::string_view::npos;
+    if (header.has_colors && has_normals) {
+        refuse("line 1: " + in_quotes(header.keyword) +
+               ": programs disagree whether normals or colours come first; export COFF, without normals");
+    }
+    header.numbers += (has_normals ? 3 : 0) + (header.has_colors ? 4 : 0);
+    if (word.starts_with("ST")) header.numbers += 2;
+    return header;
+}
+
+Header read_header(Lines& lines) {
     std::string_view line;
     if (!lines.next(line)) refuse("the file is empty");
     std::string_view rest = line;
-    const std::string_view keyword = next_word(rest);
-    if (keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF") refuse("line 1: OFF is missing");
-    if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-        refuse("line 1: " + in_quotes(keyword) + " is of another dimension; only 3D is read");
-    }
+    Header header = read_keyword(next_word(rest));
+    line = rest;
     if (next_word(rest).empty()) {
         if (!lines.next(line)) refuse("the counts are missing");
-        rest = line;
-    } else {
-        rest = line;
-        (void)next_word(rest);
     }
-    const auto vertices = to_number<std::uint64_t>(next_word(rest));
+    rest = line;
+    const std::string_view first = next_word(rest);
+    if (first == "BINARY") refuse("line 1: binary OFF is not read; export OFF as text");
+    const auto vertices = to_number<std::uint64_t>(first);
     const auto faces = to_number<std::uint64_t>(next_word(rest));
     if (!vertices || !faces) refuse(lines.place() + "the counts of vertices and faces are not numbers");
-    return {*vertices, *faces};
+    header.vertices = *vertices;
+    header.faces = *faces;
+    return header;
+}
+
+// Numbers that the keyword does not announce may be colours, and so locks; colours that are missing make assimp fail.
+void check_number_count(std::string_view line, const Header& header, const Lines& lines, Purpose purpose) {
+    std::size_t count = 0;
+    while (!next_word(line).empty()) ++count;
+    if (count == header.numbers || (!header.has_colors && purpose == Purpose::visual)) return;
+    const std::string have = lines.place() + "a vertex of " + std::to_string(count) + " numbers, where " +
+                             in_quotes(header.keyword) + " has " + std::to_string(header.numbers);
+    refuse(have + (header.has_colors ? " (x y z red green blue alpha, all of them on each line)"
+                                     : "; if the others are colours, line 1 must say COFF and each vertex have x y z "
+                                       "red green blue alpha"));
 }
 
 Vec3f read_position(std::string_view line, const Lines& lines) {
@@ -78,7 +114,7 @@ Vec3f read_position(std::string_view line, const Lines& lines) {
     return position;
 }
 
-std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Counts& counts) {
+std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Header& header) {
     const auto corners = to_number<std::uint64_t>(next_word(line));
     if (!corners || *corners == 0) refuse(lines.place() + "the number of corners of a face is missing");
     if (*corners > max_corners) {
@@ -87,7 +123,7 @@ std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Coun
     }
     for (std::uint64_t i = 0; i < *corners; ++i) {
         const auto vertex = to_number<std::uint64_t>(next_word(line));
-        if (!vertex || *vertex >= counts.vertices) {
+        if (!vertex || *vertex >= header.vertices) {
             refuse(lines.place() + "corner " + std::to_string(i) + " of a face refers to no vertex");
         }
     }
@@ -96,25 +132,26 @@ std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Coun
 
 }
 
-Prescan prescan_off(std::string_view text) {
+Prescan prescan_off(std::string_view text, Purpose purpose) {
     Lines lines(text);
-    const Counts counts = read_header(lines);
+    const Header header = read_header(lines);
     constexpr std::size_t shortest_line = 6;  // "0 0 0\n"
-    if (counts.vertices > lines.size_left() / shortest_line + 1 || counts.faces > lines.size_left() / 2 + 1) {
-        refuse("the header announces " + std::to_string(counts.vertices) + " vertices and " +
-               std::to_string(counts.faces) + " faces, more than the file can hold");
+    if (header.vertices > lines.size_left() / shortest_line + 1 || header.faces > lines.size_left() / 2 + 1) {
+        refuse("the header announces " + std::to_string(header.vertices) + " vertices and " +
+               std::to_string(header.faces) + " faces, more than the file can hold");
     }
     Prescan result;
     std::string_view line;
-    for (std::uint64_t v = 0; v < counts.vertices; ++v) {
+    for (std::uint64_t v = 0; v < header.vertices; ++v) {
         if (!lines.next(line))
-            refuse("the file ends after " + std::to_string(v) + " of " + std::to_string(counts.vertices) + " vertices");
+            refuse("the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) + " vertices");
         result.positions.push_back(read_position(line, lines));
+        check_number_count(line, header, lines, purpose);
     }
-    for (std::uint64_t f = 0; f < counts.faces; ++f) {
+    for (std::uint64_t f = 0; f < header.faces; ++f) {
         if (!lines.next(line))
-            refuse("the file ends after " + std::to_string(f) + " of " + std::to_string(counts.faces) + " faces");
-        result.expected_triangles += read_polygon(line, lines, counts);
+            refuse("the file ends after " + std::to_string(f) + " of " + std::to_string(header.faces) + " faces");
+        result.expected_triangles += read_polygon(line, lines, header);
     }
     return result;
 }

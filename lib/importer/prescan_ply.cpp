@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -138,15 +139,67 @@ void check_elements(const Header& header) {
     if (find(header, "tristrips")) refuse("triangle strips are not read; export triangles");
 }
 
-// assimp halves the range of signed integers and so loses every 0, which is a lock.
-void check_colours(const Header& header) {
-    for (const Property& property : find(header, "vertex")->properties) {
-        if (property.name != "red" && property.name != "green" && property.name != "blue") continue;
-        if (property.type.kind == Kind::signed_integer && !property.list_count) {
+// Names under which assimp finds x, y, z and the colour of a vertex.
+constexpr std::array<std::string_view, 9> read_names{"x", "y", "z", "red", "green", "blue", "r", "g", "b"};
+
+bool is_read(std::string_view name) {
+    return std::find(read_names.begin(), read_names.end(), name) != read_names.end();
+}
+
+bool is_red(std::string_view name) { return name == "red" || name == "r"; }
+
+// "Red", "diffuse_red", "vertex-colors", "rgb": what someone would take for a colour.
+bool looks_like_red(std::string_view name) {
+    std::string word;
+    const auto is_color = [&] {
+        for (const char* color : {"red", "rgb", "rgba", "color", "colors", "colour", "colours"}) {
+            if (word == color) return true;
+        }
+        return false;
+    };
+    for (const char c : name) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (lower >= 'a' && lower <= 'z') {
+            word += lower;
+        } else if (is_color()) {
+            return true;
+        } else {
+            word.clear();
+        }
+    }
+    return is_color() || name == "R";
+}
+
+void check_declared_once(const Element& vertex) {
+    for (std::size_t i = 0; i < vertex.properties.size(); ++i) {
+        const std::string& name = vertex.properties[i].name;
+        for (std::size_t k = 0; k < i; ++k) {
+            const std::string& other = vertex.properties[k].name;
+            if (is_read(name) && (other == name || (is_red(name) && is_red(other))))
+                refuse("the header gives a vertex both " + in_quotes(other) + " and then " + in_quotes(name));
+        }
+    }
+}
+
+// assimp halves the range of signed integers and so loses every 0, which is a lock; and it knows few names.
+void check_colours(const Element& vertex) {
+    bool has_red = false;
+    const Property* odd = nullptr;
+    for (const Property& property : vertex.properties) {
+        has_red = has_red || is_red(property.name);
+        if (looks_like_red(property.name) && !is_read(property.name)) odd = &property;
+        const bool is_coordinate = property.name == "x" || property.name == "y" || property.name == "z";
+        if (!is_read(property.name) || is_coordinate) continue;
+        if (property.list_count)
+            refuse("the vertex colour " + in_quotes(property.name) + " is a list; export one number");
+        if (property.type.kind == Kind::signed_integer) {
             refuse("the vertex colour " + in_quotes(property.name) +
                    " is of a signed type, whose range has no agreed meaning; export colours as uchar or float");
         }
     }
+    if (has_red || !odd) return;
+    refuse("the vertex property " + in_quotes(odd->name) +
+           " looks like a colour, but only red, green and blue are read, and locks in it would be lost; rename it");
 }
 
 std::string place(const Element& element, std::uint64_t row) {
@@ -156,10 +209,12 @@ std::string place(const Element& element, std::uint64_t row) {
 // Hands out the body's numbers one by one, whichever way they are written.
 class Body {
 public:
-    Body(std::string_view bytes, Encoding encoding) : left_(bytes), encoding_(encoding) {}
+    // Of the whole file the header is gone already.
+    Body(std::string_view file, std::string_view body, Encoding encoding)
+        : file_(file), left_(body), encoding_(encoding) {}
 
     double next(Type type, const Element& element, std::uint64_t row) {
-        if (encoding_ == Encoding::ascii) return next_in_text(element, row);
+        if (encoding_ == Encoding::ascii) return next_in_text(type, element, row);
         if (left_.size() < type.size) {
             refuse("the file ends within " + place(element, row) + " of " + std::to_string(element.count));
         }
@@ -173,14 +228,37 @@ public:
 
     [[nodiscard]] std::size_t size_left() const { return left_.size(); }
 
+    // Bytes that say something and that nobody asked for.
+    [[nodiscard]] std::size_t unread() const {
+        std::string_view rest = left_;
+        return next_word(rest).empty() ? 0 : left_.size();
+    }
+
 private:
-    double next_in_text(const Element& element, std::uint64_t row) {
+    double next_in_text(Type type, const Element& element, std::uint64_t row) {
         const std::string_view word = next_word(left_);
         if (word.empty())
             refuse("the file ends within " + place(element, row) + " of " + std::to_string(element.count));
         const auto value = to_number<double>(word);
-        if (!value) refuse(in_quotes(word) + " in " + place(element, row) + " is not a number");
+        if (!value) refuse(line() + in_quotes(word) + " in " + place(element, row) + " is not a number");
+        // assimp takes what it finds there, and cuts it to fit: -1 would become 0, a lock.
+        if (type.kind != Kind::real && !fits(*value, type))
+            refuse(line() + in_quotes(word) + " in " + place(element, row) +
+                   " does not fit its type, a whole number of " + std::to_string(8 * type.size) +
+                   " bits; export colours from 0 to 255, or as float");
         return *value;
+    }
+
+    // Of the word just read.
+    [[nodiscard]] std::string line() const {
+        const std::string_view read = file_.substr(0, file_.size() - left_.size());
+        return "line " + std::to_string(std::count(read.begin(), read.end(), '\n') + 1) + ": ";
+    }
+
+    static bool fits(double value, Type type) {
+        const bool is_signed = type.kind == Kind::signed_integer;
+        const double end = std::ldexp(1.0, static_cast<int>(8 * type.size) - (is_signed ? 1 : 0));
+        return value == std::floor(value) && value < end && value >= (is_signed ? -end : 0);
     }
 
     template <class T>
@@ -205,6 +283,7 @@ private:
                                 : as<std::uint32_t>(bytes);
     }
 
+    std::string_view file_;
     std::string_view left_;
     Encoding encoding_;
 };
@@ -276,16 +355,19 @@ void read_row(Body& body, const Element& element, std::uint64_t row, std::uint64
 }
 
 Prescan prescan_ply(std::string_view bytes, Purpose purpose) {
-    const Header header = read_header(bytes);
+    std::string_view left = bytes;
+    const Header header = read_header(left);
     check_elements(header);
-    if (purpose == Purpose::shell) check_colours(header);
-    const std::uint64_t vertex_count = find(header, "vertex")->count;
+    const Element& vertex = *find(header, "vertex");
+    check_declared_once(vertex);
+    if (purpose == Purpose::shell) check_colours(vertex);
     Prescan result;
-    Body body(bytes, header.encoding);
+    Body body(bytes, left, header.encoding);
     for (const Element& element : header.elements) {
         check_count(element, header.encoding, body);
-        for (std::uint64_t row = 0; row < element.count; ++row) read_row(body, element, row, vertex_count, result);
+        for (std::uint64_t row = 0; row < element.count; ++row) read_row(body, element, row, vertex.count, result);
     }
+    result.unread.bytes = body.unread();
     return result;
 }
 

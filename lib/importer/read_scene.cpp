@@ -10,7 +10,10 @@
 
 #include "core/error.h"
 #include "importer/file_space.h"
+#include "importer/input_files.h"
+#include "importer/memory_files.h"
 #include "importer/prescan.h"
+#include "importer/printable.h"
 #include "importer/restore.h"
 #include "importer/source_file.h"
 
@@ -27,7 +30,7 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
         case FormatId::ply:
             return prescan_ply(bytes, purpose);
         case FormatId::off:
-            return prescan_off(bytes);
+            return prescan_off(bytes, purpose);
         case FormatId::gltf:
             return prescan_gltf(bytes);
         case FormatId::dae:
@@ -43,6 +46,7 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
 std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (text.find("file is too small") != std::string::npos) return "it is too short to hold a surface";
     if (text.find("mNumMeshes is 0") != std::string::npos || text.find("contains no faces") != std::string::npos)
         return "it has no faces, only points; a surface is needed";
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
@@ -64,10 +68,46 @@ void check_importer(const aiScene& scene, const Format& format) {
     refuse("the content is no " + std::string(format.name) + ": it was recognized as " + used.C_Str());
 }
 
+// The bytes of a file and of those that belong to it, found good.
+struct Source {
+    std::string bytes;
+    Prescan scan;
+    std::vector<std::string> buffers;  // as scan.buffers
+};
+
+std::string read_buffer(const std::string& path, const ExternalBuffer& buffer) {
+    std::string bytes;
+    const std::string name = "its buffer " + in_quotes(buffer.uri);
+    const std::string where = path_of_uri(path, buffer.uri);
+    try {
+        bytes = read_file(where);
+    } catch (const Error& error) {
+        refuse(name + " " + error.what() + "; keep the files together, or export .glb");
+    }
+    if (bytes.size() < buffer.size) {
+        refuse(name + " has " + std::to_string(bytes.size()) + " bytes where the file announces " +
+               std::to_string(buffer.size) + "; it is damaged, cut short or of another export");
+    }
+    return bytes;
+}
+
+Source look_at(const std::string& path, const Format& format, Purpose purpose) {
+    Source source;
+    source.bytes = read_file(path);
+    if (source.bytes.empty()) refuse("the file is empty");
+    source.scan = prescan(source.bytes, format.id, purpose);
+    for (const ExternalBuffer& buffer : source.scan.buffers) source.buffers.push_back(read_buffer(path, buffer));
+    return source;
+}
+
 // The importer is never destroyed: some destructors crash after a good load, and this process ends anyway.
 // JoinIdenticalVertices would lose locks (it ignores colours), SortByPType would reorder vertices.
-const aiScene& read_with_assimp(const std::string& path, const Format& format) {
+const aiScene& read_with_assimp(const std::string& path, const Source& source, const Format& format) {
+    auto* files = new MemoryFiles;
+    files->add(path, source.scan.surface_only.empty() ? source.bytes : source.scan.surface_only);
+    for (std::size_t i = 0; i < source.buffers.size(); ++i) files->add(source.scan.buffers[i].name, source.buffers[i]);
     auto* importer = new Assimp::Importer;
+    importer->SetIOHandler(files);
     const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (!scene) refuse(reason(*importer, path));
     check_importer(*scene, format);
@@ -153,20 +193,23 @@ void copy_nodes(const aiNode& root, std::vector<SceneNode>& nodes) {
 }
 
 Scene read_scene(const std::string& path, const Format& format, Purpose purpose) {
-    const std::string bytes = read_file(path);
-    if (bytes.empty()) refuse("the file is empty");
-    Prescan scan = prescan(bytes, format.id, purpose);
-    const aiScene& from = read_with_assimp(path, format);
+    Source source = look_at(path, format, purpose);
+    const aiScene& from = read_with_assimp(path, source, format);
 
     Scene scene;
     scene.generator = generator_of(from);
-    scene.expected_triangles = scan.expected_triangles;
+    scene.expected_triangles = source.scan.expected_triangles;
+    scene.unread = source.scan.unread;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
     if (format.id == FormatId::stl) forget_colors(scene);
     read_file_space(from, format.id, scene);
-    restore(std::move(scan), scene);
+    restore(std::move(source.scan), scene);
     return scene;
+}
+
+void look_at_bytes(const std::string& path, const Format& format, Purpose purpose) {
+    (void)look_at(path, format, purpose);
 }
 
 }

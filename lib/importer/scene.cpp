@@ -12,7 +12,7 @@ namespace crumple::importer {
 
 namespace {
 
-constexpr std::uint32_t scene_magic = 0x32637363;
+constexpr std::uint32_t scene_magic = 0x33637363;
 constexpr std::size_t max_color_sets = 8;
 
 class Writer {
@@ -206,6 +206,7 @@ std::vector<std::byte> encode(const Scene& scene) {
     out.number(static_cast<std::uint32_t>(scene.up));
     out.number(scene.axes);
     out.number(scene.expected_triangles);
+    out.number(scene.unread);
     out.array(scene.file_positions);
     out.array(scene.file_reds);
     out.number<std::uint64_t>(scene.meshes.size());
@@ -224,6 +225,7 @@ Scene decode(std::span<const std::byte> bytes) {
     scene.up = static_cast<Up>(in.number<std::uint32_t>());
     scene.axes = in.number<std::array<double, 9>>();
     scene.expected_triangles = in.number<std::uint64_t>();
+    scene.unread = in.number<Unread>();
     scene.file_positions = in.array<Vec3f>();
     scene.file_reds = in.array<float>();
     constexpr std::size_t smallest_mesh = 8 * sizeof(std::uint64_t);

@@ -36,12 +36,19 @@ struct SceneNode {
     std::vector<Index> meshes;
 };
 
+// What of a file is not read, and nobody is told otherwise.
+struct Unread {
+    std::uint64_t bytes = 0;      // behind the last element that its header announces (PLY)
+    std::uint64_t free_form = 0;  // curves and surfaces that are not polygons (OBJ)
+};
+
 struct Scene {
     std::string generator;  // the program that wrote the file, as the file says, may be empty
     double unit = 0;        // metres per unit as the file says, 0: it does not say
     Up up = Up::automatic;  // as the file says, automatic: it does not say
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1};  // 3 x 3 row-major: from the file's axes to Y up
     std::uint64_t expected_triangles = 0;  // by the file's own count of polygon corners, 0: not counted
+    Unread unread;
     std::vector<Vec3f> file_positions;  // the file's vertex list where it is indexed apart from faces (OBJ), else empty
     std::vector<float> file_reds;       // of file_positions as the file states them, or empty: it has no colours
     std::vector<SceneMesh> meshes;

@@ -142,7 +142,7 @@ void try_one(int kind, Bytes bytes) {
             (void)prescan_ply(text, Purpose::shell);
             return;
         case 2:
-            (void)prescan_off(text);
+            (void)prescan_off(text, Purpose::shell);
             return;
         case 3:
             (void)prescan_gltf(text);

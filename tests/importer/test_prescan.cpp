@@ -24,7 +24,7 @@ std::string ply_message(const std::string& bytes, Purpose purpose = Purpose::she
     return message_of([&] { (void)prescan_ply(bytes, purpose); });
 }
 std::string off_message(std::string_view text) {
-    return message_of([&] { (void)prescan_off(text); });
+    return message_of([&] { (void)prescan_off(text, Purpose::shell); });
 }
 std::string gltf_message(const std::string& text) {
     return message_of([&] { (void)prescan_gltf(text); });
@@ -35,9 +35,27 @@ TEST(PrescanObj, RefusesAFileWithoutVertices) {
     EXPECT_TRUE(contains(obj_message("vn 0 0 1\nvt 0 0\n"), "no `v` line"));
 }
 
+TEST(PrescanObj, RefusesWhatHoldsNoFaces) {
+    EXPECT_TRUE(contains(obj_message("v 0 0 0\np 1\n"), "no faces, only points"));
+    EXPECT_TRUE(contains(obj_message("v 0 0 0\ncurv 0 1 1 1\n"), "free-form"));
+    EXPECT_EQ(prescan_obj("v 0 0 0\nf 1 1 1\ncurv 0 1 1 1\nsurf 0 1 0 1 1\n", Purpose::shell).unread.free_form, 2u);
+}
+
+TEST(PrescanObj, RefusesMoreNamesThanAssimpTellsApartInSeconds) {
+    for (const std::string keyword : {"o", "usemtl"}) {
+        std::string text = "v 0 0 0\nf 1 1 1\n";
+        for (int i = 0; i < 40000; ++i) text += keyword + " name" + std::to_string(i) + "\n";
+        EXPECT_TRUE(contains(obj_message(text), "too many objects and materials")) << keyword;
+    }
+    std::string few = "v 0 0 0\nf 1 1 1\n";
+    for (int i = 0; i < 40000; ++i)
+        few += "usemtl name" + std::to_string(i % 100) + "\ng part" + std::to_string(i) + "\n";
+    EXPECT_EQ(obj_message(few), "");
+}
+
 TEST(PrescanObj, NamesTheFirstLineThatDiffers) {
-    EXPECT_EQ(obj_message("v 0 0 0\nv 1 0 0\n"), "");
-    EXPECT_EQ(obj_message("v 0 0 0 1 1 1\nv 1 0 0 0 0 0\n"), "");
+    EXPECT_EQ(obj_message("v 0 0 0\nv 1 0 0\nf 1 2 1\n"), "");
+    EXPECT_EQ(obj_message("v 0 0 0 1 1 1\nv 1 0 0 0 0 0\nf 1 2 1\n"), "");
     EXPECT_TRUE(contains(obj_message("# c\n\nv 0 0 0\nv 1 0 0 0 0 0\nv 1 2 3 0 0 0\n"), "line 4: a `v` line of 6"));
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1 0 0\nv 1 0 0\n"), "line 2: a `v` line of 3"));
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1\n"), "line 1: a `v` line of 4"));
@@ -46,12 +64,12 @@ TEST(PrescanObj, NamesTheFirstLineThatDiffers) {
 }
 
 TEST(PrescanObj, AVisualMeshMayMixThreeAndSix) {
-    EXPECT_EQ(obj_message("v 0 0 0\nv 1 0 0 0 0 0\n", Purpose::visual), "");
+    EXPECT_EQ(obj_message("v 0 0 0\nv 1 0 0 0 0 0\nf 1 2 1\n", Purpose::visual), "");
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1\n", Purpose::visual), "line 1"));
 }
 
 TEST(PrescanObj, CountsLinesThroughContinuationsCommentsAndCarriageReturns) {
-    EXPECT_EQ(obj_message("v 0 0 \\\n0\r\n  \tv 1\t2 3 # red\r\n"), "");
+    EXPECT_EQ(obj_message("v 0 0 \\\n0\r\n  \tv 1\t2 3 # red\r\nf 1 2 1\r\n"), "");
     EXPECT_TRUE(contains(obj_message("v 0 \\\n0 0\nv 1 2 3 4 5 6\n"), "line 3:"));
 }
 
@@ -90,6 +108,42 @@ TEST(PrescanPly, RefusesPaintWhoseZeroTheReaderLoses) {
     for (const std::string type : {"uchar", "ushort", "uint", "float", "double"})
         EXPECT_EQ(ply_message(ply("element vertex 1\n" + xyz + "property " + type + " red\n", "0 0 0 0\n")), "")
             << type;
+}
+
+TEST(PrescanPly, RefusesPaintUnderAnotherName) {
+    const auto named = [](const std::string& name) {
+        return ply("element vertex 1\n" + xyz + "property uchar " + name + "\n", "0 0 0 0\n");
+    };
+    for (const std::string name : {"Red", "RED", "R", "diffuse_red", "vertex_color", "rgb", "red_"}) {
+        EXPECT_TRUE(contains(ply_message(named(name)), "'" + name + "' looks like a colour")) << name;
+        EXPECT_EQ(ply_message(named(name), Purpose::visual), "") << name;
+    }
+    for (const std::string name : {"red", "r", "intensity", "reduced", "radius"})
+        EXPECT_EQ(ply_message(named(name)), "");
+    EXPECT_TRUE(contains(ply_message(named("red\nproperty uchar red")), "both 'red' and then 'red'"));
+    EXPECT_TRUE(contains(ply_message(named("red\nproperty uchar r")), "both 'red' and then 'r'"));
+    EXPECT_TRUE(contains(
+        ply_message(ply("element vertex 1\n" + xyz + "property list uchar uchar red\n", "0 0 0 1 0\n")), "is a list"));
+}
+
+TEST(PrescanPly, RefusesNumbersOfTextThatDoNotFitTheirType) {
+    const auto red = [](const std::string& type, const std::string& value) {
+        return ply_message(
+            ply("element vertex 2\n" + xyz + "property " + type + " red\n", "0 0 0 0\n0 0 0 " + value + "\n"));
+    };
+    EXPECT_EQ(red("uchar", "255"), "");
+    EXPECT_EQ(red("ushort", "256"), "");
+    EXPECT_EQ(red("float", "-1"), "");
+    for (const std::string value : {"-1", "256", "300", "0.5", "nan", "1e9"})
+        EXPECT_TRUE(contains(red("uchar", value), "line 11: '" + value + "' in vertex 1 does not fit")) << value;
+}
+
+TEST(PrescanPly, CountsWhatFollowsTheLastElement) {
+    const std::string header = "element vertex 1\n" + xyz;
+    EXPECT_EQ(prescan_ply(ply(header, "0 0 0\n\n \n"), Purpose::shell).unread.bytes, 0u);
+    EXPECT_EQ(prescan_ply(ply(header, "0 0 0\n1 2 3"), Purpose::shell).unread.bytes, 6u);
+    const std::string binary = ply(header, std::string(15, '\0'), "binary_little_endian");
+    EXPECT_EQ(prescan_ply(binary, Purpose::shell).unread.bytes, 3u);
 }
 
 TEST(PrescanPly, RefusesBrokenHeaders) {
@@ -155,6 +209,27 @@ TEST(PrescanOff, CountsAreThoseOfTheLines) {
     EXPECT_TRUE(contains(off_message("OFF\nmany 1 0\n0 0 0\n"), "not numbers"));
 }
 
+TEST(PrescanOff, RefusesNumbersTheFirstLineDoesNotAnnounce) {
+    const auto file = [](const std::string& keyword, const std::string& more) {
+        return keyword + "\n1 1 0\n0 0 0" + more + "\n3 0 0 0\n";
+    };
+    for (const auto& [keyword, more] : {std::pair<std::string, std::string>{"OFF", ""},
+                                        {"COFF", " 255 0 0 255"},
+                                        {"COFF # colours", " 1 0 0 1 # a comment"},
+                                        {"NOFF", " 0 0 1"},
+                                        {"STCOFF", " 1 0 0 1 0 0"}})
+        EXPECT_EQ(off_message(file(keyword, more)), "") << keyword;
+    for (const char* more : {" 255 0 0", " 255 0 0 255", " 1"})
+        EXPECT_TRUE(contains(off_message(file("OFF", more)), "line 3: a vertex of ")) << more;
+    for (const char* more : {"", " 255 0 0", " 255 0 0 255 1"})
+        EXPECT_TRUE(contains(off_message(file("COFF", more)), "where 'COFF' has 7")) << more;
+    for (const char* keyword : {"NCOFF", "CNOFF", "STCNOFF"})
+        EXPECT_TRUE(contains(off_message(file(keyword, " 0 0 1 255 0 0 255")), "programs disagree")) << keyword;
+    EXPECT_TRUE(contains(off_message(file("XOFF", "")), "no word of OFF"));
+    EXPECT_TRUE(contains(off_message("OFF BINARY\n"), "binary OFF"));
+    EXPECT_EQ(message_of([&] { (void)prescan_off(file("OFF", " 255 0 0"), Purpose::visual); }), "");
+}
+
 TEST(PrescanGltf, RefusesOtherVersionsAndDamage) {
     EXPECT_TRUE(contains(gltf_message("{"), "JSON"));
     EXPECT_TRUE(contains(gltf_message("[]"), "JSON"));
@@ -167,7 +242,7 @@ TEST(PrescanGltf, RefusesOtherVersionsAndDamage) {
 std::string gltf(const std::string& rest) { return R"({"asset": {"version": "2.0"}, )" + rest + "}"; }
 
 TEST(PrescanGltf, RefusesAccessorsBeyondTheirBuffer) {
-    const std::string buffer = R"("buffers": [{"byteLength": 36}], )";
+    const std::string buffer = R"("buffers": [{"byteLength": 36, "uri": "a.bin"}], )";
     const std::string view = R"("bufferViews": [{"buffer": 0, "byteLength": 36}], )";
     const auto accessor = [](int count) {
         return R"("accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": )" +
@@ -176,8 +251,9 @@ TEST(PrescanGltf, RefusesAccessorsBeyondTheirBuffer) {
     EXPECT_EQ(gltf_message(gltf(buffer + view + accessor(3))), "");
     EXPECT_TRUE(contains(gltf_message(gltf(buffer + view + accessor(4))), "accessor 0 reaches beyond"));
     EXPECT_TRUE(contains(gltf_message(gltf(buffer + view + accessor(-1))), "count is not a size"));
-    EXPECT_TRUE(contains(gltf_message(gltf(R"("buffers": [{"byteLength": 35}], )" + view + accessor(3))),
-                         "buffer view 0 reaches beyond"));
+    EXPECT_TRUE(
+        contains(gltf_message(gltf(R"("buffers": [{"byteLength": 35, "uri": "a.bin"}], )" + view + accessor(3))),
+                 "buffer view 0 reaches beyond"));
     EXPECT_TRUE(contains(gltf_message(gltf(view + accessor(3))), "refers to no buffer"));
     EXPECT_TRUE(contains(gltf_message(gltf(accessor(3))), "refers to no buffer view"));
     EXPECT_TRUE(
@@ -192,16 +268,59 @@ TEST(PrescanGltf, RefusesWhatWouldBeReadAsNoise) {
     EXPECT_TRUE(contains(gltf_message(gltf(R"("extensionsRequired": ["EXT_meshopt_compression"])")),
                          "EXT_meshopt_compression"));
     EXPECT_EQ(gltf_message(gltf(R"("extensionsRequired": ["KHR_texture_transform"])")), "");
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("extensionsRequired": ["KHR_draco_mesh_compression"])")),
+                         "compressed ('KHR_draco_mesh_compression')"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("extensionsRequired": ["ACME_secret"])")), "extension 'ACME_secret'"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"extensions": {"EXT_mesh_gpu_instancing": {}}}])")),
+                         "drawn many times"));
     const auto mesh = [](const std::string& accessors) {
-        return gltf(R"("accessors": [)" + accessors +
-                    R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
+        return gltf(R"("buffers": [{"byteLength": 36, "uri": "a.bin"}],
+                       "bufferViews": [{"buffer": 0, "byteLength": 36}], "accessors": [)" +
+                    accessors + R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
     };
-    const std::string position = R"({"componentType": 5126, "type": "VEC3", "count": 3})";
+    const std::string position = R"({"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3})";
     const std::string color = R"({"componentType": 5121, "type": "VEC4", "count": )";
     EXPECT_EQ(gltf_message(mesh(position + ", " + color + "3}")), "");
     EXPECT_TRUE(contains(gltf_message(mesh(position + ", " + color + "2}")), "COLOR_0 holds 2 colours for 3 vertices"));
-    EXPECT_TRUE(contains(gltf_message(mesh(R"({"componentType": 5122, "type": "VEC3", "count": 3}, )" + color + "3}")),
-                         "not three floats"));
+    EXPECT_TRUE(contains(
+        gltf_message(mesh(R"({"bufferView": 0, "componentType": 5122, "type": "VEC3", "count": 3}, )" + color + "3}")),
+        "not three floats"));
+    EXPECT_TRUE(contains(gltf_message(mesh(R"({"componentType": 5126, "type": "VEC3", "count": 3}, )" + color + "3}")),
+                         "without a buffer"));
+}
+
+TEST(PrescanGltf, RefusesNodesAboveThemselvesAndJsonWithoutBottom) {
+    EXPECT_EQ(gltf_message(gltf(R"("nodes": [{"children": [1]}, {}])")), "");
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"children": [1]}, {"children": [0]}])")), "within itself"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"children": [2]}, {"children": [2]}, {}])")), "two parents"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"children": [7]}])")), "not there"));
+    EXPECT_TRUE(contains(gltf_message(gltf("\"extras\": " + std::string(100000, '['))), "nested"));
+    std::string chain = R"("nodes": [)";
+    for (int i = 1; i < 3000; ++i) chain += R"({"children": [)" + std::to_string(i) + "]}, ";
+    EXPECT_TRUE(contains(gltf_message(gltf(chain + "{}]")), "more than 1000 deep"));
+}
+
+TEST(PrescanGltf, HandsOnSurfaceAndPaintOnly) {
+    const Prescan scan = prescan_gltf(gltf(R"("scene": 0, "scenes": [{"nodes": [0], "extras": {}}],
+        "nodes": [{"mesh": 0, "skin": 0, "camera": 0, "name": "body"}], "skins": [{"joints": [0]}], "animations": [{}],
+        "materials": [{"name": "steel", "pbrMetallicRoughness": {"baseColorTexture": {"index": 9}}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0, "JOINTS_0": 0}, "targets": [{}]}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 1, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "my%20a.bin"}, {"byteLength": 36, "uri": "walk.bin"}])"));
+    ASSERT_EQ(scan.buffers.size(), 1u);  // the other one holds no surface
+    EXPECT_EQ(scan.buffers[0].uri, "my%20a.bin");
+    EXPECT_EQ(scan.buffers[0].size, 36u);
+    EXPECT_TRUE(contains(scan.surface_only, scan.buffers[0].name));
+    for (const char* kept : {"POSITION", "steel", "body"}) EXPECT_TRUE(contains(scan.surface_only, kept)) << kept;
+    for (const char* gone :
+         {"skin", "camera", "animations", "Texture", "NORMAL", "JOINTS", "targets", "extras", "my%20"})
+        EXPECT_FALSE(contains(scan.surface_only, gone)) << gone;
+}
+
+TEST(PrescanGltf, RefusesBuffersShorterThanAnnounced) {
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("buffers": [{"byteLength": 36}])")), "buffer 0 has no uri"));
+    EXPECT_EQ(gltf_message(gltf(R"("buffers": [{"byteLength": 0}])")), "");
 }
 
 TEST(PrescanGltf, RefusesBinaryFilesWithLyingSizes) {
