@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a game feels besides a step: sleepers, skinning, the caller's threads.
-#include <atomic>
-#include <cstring>
-#include <thread>
+// What a game feels besides a step: sleepers, skinning, loading, the caller's threads.
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 #include "bench/bench_solver_rows.h"
-#include "bench/cpu_time.h"
+#include "bench/second_worker.h"
+#include "bench/solver_car.h"
+#include "bundle/blob.h"
+#include "solver/blob_view.h"
 #include "solver/body.h"
 #include "solver/instance.h"
 #include "solver/skin.h"
+#include "store/bundle_file.h"
 
 namespace crumple::bench {
 namespace {
 
 using solver::test::Body;
 using solver::test::grid_body;
-
-Row row(const std::string& name, const std::string& input, double value, const std::string& unit,
-        std::optional<double> ratio = std::nullopt) {
-    return {name, input, {{"value", value}, {"unit", unit}, {"ratio", ratio}}};
-}
 
 Material bodywork() {
     Material m = solver::test::elastic_material(1e6, 0.3);
@@ -51,54 +50,24 @@ double read_seconds(std::size_t bytes) {
     return best;
 }
 
-// Two workers for one body: the second waits for work without sleeping, as those of a game do within a frame.
-class SecondWorker {
-public:
-    SecondWorker() : thread_([this] { work(); }) {}
-    ~SecondWorker() {
-        is_over_ = true;
-        thread_.join();
-    }
-    [[nodiscard]] solver::Jobs jobs() {
-        return {[](void* user, std::size_t count, solver::Jobs::Task task, void* context) {
-                    static_cast<SecondWorker*>(user)->run(count, task, context);
-                },
-                this};
-    }
+void write_bytes(const std::string& path, std::span<const std::byte> bytes) {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
 
-private:
-    void run(std::size_t count, solver::Jobs::Task task, void* context) {
-        task_ = task;
-        context_ = context;
-        count_ = count;
-        next_ = 0;
-        is_done_ = false;
-        round_.fetch_add(1, std::memory_order_release);
-        take();
-        while (!is_done_.load(std::memory_order_acquire)) {
-        }
-    }
-    void take() {
-        for (std::size_t i = next_++; i < count_; i = next_++) task_(context_, i);
-    }
-    void work() {
-        unsigned seen = 0;
-        while (!is_over_) {
-            const unsigned round = round_.load(std::memory_order_acquire);
-            if (round == seen) continue;
-            seen = round;
-            take();
-            is_done_.store(true, std::memory_order_release);
-        }
-    }
-    solver::Jobs::Task task_ = nullptr;
-    void* context_ = nullptr;
-    std::size_t count_ = 0;
-    std::atomic<std::size_t> next_ = 0;
-    std::atomic<unsigned> round_ = 0;
-    std::atomic<bool> is_done_ = true, is_over_ = false;
-    std::thread thread_;
-};
+// What a game does with a blob on its disk: read, check, derive.
+void open_and_build(const std::string& path) {
+    const Block file(std::filesystem::file_size(path));
+    std::ifstream(path, std::ios::binary)
+        .read(reinterpret_cast<char*>(file.get().data()), static_cast<std::streamsize>(file.get().size()));
+    Blob blob;
+    if (open_blob(file.get(), blob) != nullptr) throw std::runtime_error("bench: a blob of ours is refused");
+    std::vector<Material> materials(blob.materials.size());
+    const solver::BundleView view = solver::view_of(blob, materials);
+    if (first_problem(view) != nullptr) throw std::runtime_error("bench: a bundle of ours is refused");
+    const Block memory(solver::model_bytes(view));
+    (void)solver::build_model(view, memory.get());
+}
 
 }
 
@@ -142,23 +111,37 @@ void add_skin(std::vector<Row>& rows) {
     rows.push_back(row("skin_100k_ms", "grid", 1e3 * best, "ms"));
 }
 
-void add_two_threads(std::vector<Row>& rows, const Bundle& bundle, std::uint32_t iterations) {
+void add_load(Rows& rows, const Bar& bar) {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "crumple_bench_load";
+    std::filesystem::create_directories(folder);
+    const std::string file = (folder / "bar.hdf").string(), packed = (folder / "bar.blob").string();
+    write_bytes(file, store::to_image(bar.bundle));
+    write_bytes(packed, write_blob(bar.bundle));
+    std::vector<double> from_file, from_blob;
+    for (int round = 0; round < 7; ++round) {
+        from_file.push_back(seconds([&] { (void)store::load_bundle(file); }));
+        from_blob.push_back(seconds([&] { open_and_build(packed); }));
+    }
+    std::filesystem::remove_all(folder);
+    rows.push_back(row("load_50k", bar.name, 1e3 * median(from_file), "ms"));
+    rows.push_back(row("load_50k_blob", bar.name, 1e3 * median(from_blob), "ms"));
+}
+
+void add_two_threads(Rows& rows, const Bar& bar, std::uint32_t iterations) {
     solver::Settings settings;
     settings.max_iterations = iterations;
     settings.plasticity = solver::Plasticity::off;
-    Body body(bundle, settings);
-    solver::StepInput input;
-    input.gravity = {0, -9.88f, 0};
+    Body body(bar.bundle, settings);
     SecondWorker worker;
     std::vector<double> ratios, times;
     for (int i = 0; i < 30; ++i) {
-        const double alone = seconds([&] { body.step(input); });
-        const double together = seconds([&] { body.step(input, worker.jobs()); });
+        const double alone = seconds([&] { body.step(bar_input()); });
+        const double together = seconds([&] { body.step(bar_input(), worker.jobs()); });
         if (i < 5) continue;
         ratios.push_back(alone / together);
         times.push_back(1e3 * together);
     }
-    rows.push_back(row("two_threads_50k", "beam_50k", median(times), "ms", median(ratios)));
+    rows.push_back(row("two_threads_50k", bar.name, median(times), "ms", median(ratios)));
 }
 
 }

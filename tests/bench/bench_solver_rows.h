@@ -1,15 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of bench_solver that stand in a file of their own.
+// The rows of bench_solver, a file a kind.
 #pragma once
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "bench/bench.h"
-#include "bundle/bundle.h"
+#include "bench/cpu_time.h"
+#include "bench/solver_bar.h"
 
 namespace crumple::bench {
 
-void add_asleep(std::vector<Row>& rows);
-void add_skin(std::vector<Row>& rows);
-void add_two_threads(std::vector<Row>& rows, const Bundle& bundle, std::uint32_t iterations);
+using Rows = std::vector<Row>;
+
+inline Row row(const std::string& name, const std::string& input, double value, const std::string& unit,
+               std::optional<double> ratio = std::nullopt) {
+    return {name, input, {{"value", value}, {"unit", unit}, {"ratio", ratio}}};
+}
+
+// One thread's work takes this on a machine that does nothing else.
+template <class Work>
+double processor_seconds(Work&& work) {
+    const double begin = cpu_seconds();
+    work();
+    return cpu_seconds() - begin;
+}
+
+template <class Work>
+double best_of(int rounds, Work&& work) {
+    double best = 1e30;
+    for (int i = 0; i < rounds; ++i) best = std::min(best, processor_seconds(work));
+    return best;
+}
+
+// bench_solver_step.cpp
+void add_steps(Rows& rows, const Bar& bar, int iterations, bool quick);
+void add_kernels(Rows& rows, const Bar& bar, const std::string& suffix);
+void add_memory(Rows& rows, const Bar& bar);
+// bench_solver_rotation.cpp
+void add_rotations(Rows& rows, const std::string& name, solver::Isa isa);
+void add_half_inverted(Rows& rows);
+// bench_solver_truth.cpp
+void add_scramble(Rows& rows, int seeds);
+void add_tip_error(Rows& rows, const Bar& bar);
+// bench_solver_game.cpp
+void add_asleep(Rows& rows);
+void add_skin(Rows& rows);
+void add_load(Rows& rows, const Bar& bar);
+void add_two_threads(Rows& rows, const Bar& bar, std::uint32_t iterations);
+// bench_solver_cars.cpp
+void add_cars(Rows& rows, bool quick);
 
 }

@@ -3,7 +3,9 @@
 
 namespace crumple::bench {
 
-// CPU seconds this process has used: unlike the wall clock it does not count what others do meanwhile.
+// CPU seconds this process, or the calling thread, has used: unlike the wall clock they do not count what others do
+// meanwhile.
 [[nodiscard]] double cpu_seconds();
+[[nodiscard]] double thread_cpu_seconds();
 
 }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sample car in a crash, alone and in company, against the 2 ms that a game may give it.
+#include <algorithm>
+#include <atomic>
+
+#include "bench/bench_solver_rows.h"
+#include "bench/second_worker.h"
+#include "bench/solver_car.h"
+#include "bench/solver_conventional.h"
+
+namespace crumple::bench {
+namespace {
+
+constexpr int frames = 60;  // a second: the nose meets the pole in the first of them
+constexpr int car_iterations = 20;
+
+double percentile(std::vector<double> values, std::size_t percent) {
+    std::sort(values.begin(), values.end());
+    return values[(values.size() - 1) * percent / 100];
+}
+
+// One car; the conventional pipeline makes the same steps from the same states, without contacts and carrier.
+void add_one_car(Rows& rows, const CarModel& shared, int crashes) {
+    Garage garage(shared);
+    Conventional conventional(shared.bundle, car_iterations);
+    std::vector<double> ours, theirs;
+    for (int crash = 0; crash < crashes; ++crash) {
+        Car car(shared);
+        for (int i = 0; i < frames; ++i) {
+            const Motion motion{car.state.positions, car.state.velocities};
+            theirs.push_back(1e3 * processor_seconds([&] { (void)conventional.step(motion, bar_dt, 0); }));
+            ours.push_back(1e3 * processor_seconds([&] { (void)car.drive(shared, garage); }));
+        }
+    }
+    const std::string input = "car_" + std::to_string(shared.model.tet_count) + "_tets";
+    rows.push_back(row("car_step_ms", input, median(ours), "ms"));
+    rows.push_back(row("car_step_p99_ms", input, percentile(ours, 99), "ms"));
+    rows.push_back(row("car_step_ms_per_1k", input, 1e3 * median(ours) / static_cast<double>(shared.model.tet_count),
+                       "ms per 1k tets"));
+    rows.push_back(row("car_step_conventional_ms", input, median(theirs), "ms"));
+}
+
+// What each thread of a frame does: the next car until none is left.
+struct Frame {
+    const CarModel& shared;
+    std::vector<Car>& cars;
+    std::vector<Garage>& garages;
+    std::atomic<std::size_t> next = 0;
+    double busy_s[2] = {};
+
+    static void work(void* of_frame, std::size_t thread) {
+        Frame& frame = *static_cast<Frame*>(of_frame);
+        const double begin = thread_cpu_seconds();
+        for (std::size_t i = frame.next++; i < frame.cars.size(); i = frame.next++) {
+            frame.cars[i].drive(frame.shared, frame.garages[thread]);
+        }
+        frame.busy_s[thread] = thread_cpu_seconds() - begin;
+    }
+};
+
+// A frame takes as long as the busier of its threads.
+void add_company(Rows& rows, const CarModel& shared, int car_count, std::size_t threads) {
+    std::vector<Car> cars;
+    for (int i = 0; i < car_count; ++i) cars.emplace_back(shared);
+    std::vector<Garage> garages;
+    for (std::size_t i = 0; i < threads; ++i) garages.emplace_back(shared);
+    SecondWorker second;
+    std::vector<double> times;
+    for (int i = 0; i < frames; ++i) {
+        Frame frame{shared, cars, garages};
+        if (threads == 1) {
+            Frame::work(&frame, 0);
+        } else {
+            const solver::Jobs jobs = second.jobs();
+            jobs.run(jobs.user, threads, Frame::work, &frame);
+        }
+        times.push_back(1e3 * std::max(frame.busy_s[0], frame.busy_s[1]));
+    }
+    const std::string name = "cars_" + std::to_string(car_count) + '_' + std::to_string(threads) + 't';
+    rows.push_back(row(name, "car", median(times), "ms a frame"));
+    rows.push_back(row(name + "_p99", "car", percentile(times, 99), "ms a frame"));
+}
+
+}
+
+void add_cars(Rows& rows, bool quick) {
+    const CarModel shared(cook_car());
+    add_one_car(rows, shared, quick ? 1 : 3);
+    for (const int cars : {1, 8, 20}) {
+        for (const std::size_t threads : {1, 2}) add_company(rows, shared, cars, threads);
+    }
+}
+
+}
