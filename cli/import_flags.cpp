@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "pipeline/input_digests.h"
+
 namespace crumple::cli {
 
 namespace {
@@ -62,9 +64,9 @@ importer::Sources sources_of(const ImportFlags& flags) {
     return sources;
 }
 
-std::vector<std::string> paths_of(const importer::Sources& sources) {
-    std::vector<std::string> paths{sources.shell};
-    for (const auto& visual : sources.visuals) paths.push_back(visual.path);
+std::vector<std::string> input_paths(const importer::Sources& sources, const pipeline::Recipe& recipe) {
+    std::vector<std::string> paths;
+    for (const importer::InputFile& file : pipeline::input_files(sources, recipe)) paths.push_back(file.path);
     return paths;
 }
 

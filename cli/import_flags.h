@@ -31,6 +31,8 @@ struct ImportFlags {
 void apply_settings(pipeline::Recipe& recipe, const std::vector<Setting>& settings);
 
 [[nodiscard]] importer::Sources sources_of(const ImportFlags& flags);
-[[nodiscard]] std::vector<std::string> paths_of(const importer::Sources& sources);
+
+// Every file that import would read for the recipe, those that the artist's files need included.
+[[nodiscard]] std::vector<std::string> input_paths(const importer::Sources& sources, const pipeline::Recipe& recipe);
 
 }

@@ -64,22 +64,30 @@ CookRequest request_of(const CookFlags& flags) {
     return request;
 }
 
-std::vector<std::string> inputs_of(const CookFlags& flags, const CookRequest& request) {
-    std::vector<std::string> inputs = paths_of(request.sources);
+std::vector<std::string> inputs_of(const CookFlags& flags, const Recipe& recipe, const CookRequest& request) {
+    std::vector<std::string> inputs = input_paths(request.sources, recipe);
     if (std::filesystem::exists(flags.recipe)) inputs.push_back(flags.recipe);
     return inputs;
 }
 
-// The report goes to stdout.
 bool is_stdout(const std::string& path) { return path == "-"; }
 
+bool is_file(const std::string& path) { return !path.empty() && !is_stdout(path); }
+
+// A program that reads our stdout wants one thing there.
+void check_stdout(const CookFlags& flags) {
+    const bool has_json = is_stdout(flags.report) || flags.output.format == Format::json;
+    if (is_stdout(flags.depfile) && has_json)
+        throw Error(ErrorKind::usage, "--depfile - and the JSON would both go to stdout; give one of them a file");
+}
+
 // Everything that can be known to be wrong before hours of work.
-void check_paths(const CookFlags& flags, const CookRequest& request) {
-    const std::vector<std::string> inputs = inputs_of(flags, request);
+void check_paths(const CookFlags& flags, const CookRequest& request, const std::vector<std::string>& inputs) {
+    check_stdout(flags);
     pipeline::check_output_path(request.output, inputs);
     std::vector<OutputPath> outputs{{"-o", request.output}};
-    if (!flags.report.empty() && !is_stdout(flags.report)) outputs.push_back({"--report", flags.report});
-    if (!flags.depfile.empty()) outputs.push_back({"--depfile", flags.depfile});
+    if (is_file(flags.report)) outputs.push_back({"--report", flags.report});
+    if (is_file(flags.depfile)) outputs.push_back({"--depfile", flags.depfile});
     outputs.push_back({"what a quality gate refuses of -o", pipeline::rejected_path(request.output), false});
     check_output_paths(outputs, inputs);
     if (!flags.depfile.empty()) (void)depfile_text(request.output, inputs);
@@ -91,7 +99,7 @@ void write_text(const std::string& path, const std::string& text) {
 
 void put_report(const CookFlags& flags, const CookReport& report, const Console& console) {
     const std::string json = report::write_json(report::Described::of(report));
-    if (!flags.report.empty() && !is_stdout(flags.report)) write_text(flags.report, json);
+    if (is_file(flags.report)) write_text(flags.report, json);
     if (is_stdout(flags.report) || flags.output.format == Format::json) console.result(json);
 }
 
@@ -120,13 +128,30 @@ std::string summary_text(const CookReport& report, const std::string& output, bo
            (report.output.is_unchanged ? ", unchanged\n" : "\n");
 }
 
-int cook_now(const CookFlags& flags, const Recipe& recipe, CookRequest request, const Console& console,
-             const pipeline::Permission& may_finish) {
+void put_depfile(const CookFlags& flags, const std::vector<std::string>& inputs, const Console& console) {
+    if (flags.depfile.empty()) return;
+    const std::string text = depfile_text(flags.output.path, inputs);
+    if (is_stdout(flags.depfile))
+        console.result(text);
+    else
+        write_text(flags.depfile, text);
+}
+
+struct CookCall {
+    const CookFlags& flags;
+    const Recipe& recipe;
+    CookRequest request;
+    std::vector<std::string> inputs;  // paths
+};
+
+int cook_now(CookCall call, const Console& console, const pipeline::Permission& may_finish) {
+    const CookFlags& flags = call.flags;
+    CookRequest& request = call.request;
     CookReport report;
     report.recipe = flags.recipe;
     request.may_finish = may_finish;
     try {
-        pipeline::cook(recipe, request, report, console.observer());
+        pipeline::cook(call.recipe, request, report, console.observer());
     } catch (const Error& error) {
         report.error = error.what();
         report.exit_code = exit_code_of(error.kind());
@@ -140,7 +165,7 @@ int cook_now(const CookFlags& flags, const Recipe& recipe, CookRequest request, 
         console.error(report.error);
         return report.exit_code;
     }
-    if (!flags.depfile.empty()) write_text(flags.depfile, depfile_text(request.output, inputs_of(flags, request)));
+    put_depfile(flags, call.inputs, console);
     console.talk(summary_text(report, request.output, console.colors_talk()));
     return exit_ok;
 }
@@ -173,15 +198,16 @@ CookReport last_report(const CookFlags& flags, const pipeline::SharedText& text,
     return report;
 }
 
-int cook_within(const CookFlags& flags, const Recipe& recipe, CookRequest request, const Console& console) {
+int cook_within(CookCall call, const Console& console) {
+    const CookFlags& flags = call.flags;
     const pipeline::UsageMeter meter;
     pipeline::SharedText told;
-    request.keep_report = [&told](const CookReport& report) {
+    call.request.keep_report = [&told](const CookReport& report) {
         told.write(report::write_json(report::Described::of(report), report::JsonStyle::compact));
     };
     try {
         return pipeline::run_within(flags.budget, [&](const pipeline::Permission& may_finish) {
-            return run_guarded(console, [&] { return cook_now(flags, recipe, request, console, may_finish); });
+            return run_guarded(console, [&] { return cook_now(call, console, may_finish); });
         });
     } catch (const Error& error) {
         CookReport report = last_report(flags, told, meter);
@@ -197,10 +223,11 @@ int cook_within(const CookFlags& flags, const Recipe& recipe, CookRequest reques
 int run_cook(const CookFlags& flags, const Console& console) {
     const Recipe recipe = load_recipe(flags);
     const CookRequest request = request_of(flags);
-    check_paths(flags, request);
+    const std::vector<std::string> inputs = inputs_of(flags, recipe, request);
+    check_paths(flags, request, inputs);
     if (flags.is_dry_run) return run_dry(flags, recipe, request, console);
-    return flags.budget.is_limited() ? cook_within(flags, recipe, request, console)
-                                     : cook_now(flags, recipe, request, console, {});
+    const CookCall call{flags, recipe, request, inputs};
+    return flags.budget.is_limited() ? cook_within(call, console) : cook_now(call, console, {});
 }
 
 // CLI11's own lets nan through, which is no limit at all.
@@ -227,7 +254,7 @@ void add_cook(CLI::App& app, Session& session) {
         ->allow_extra_args(false);
     verb->add_flag("--keep-work", flags->keeps_work, "leave what the stages made in the file");
     verb->add_option("--report", flags->report, "write figures and findings as JSON; - for stdout")->type_name("FILE");
-    verb->add_option("--depfile", flags->depfile, "write what the output depends on, for make and ninja")
+    verb->add_option("--depfile", flags->depfile, "write what the output depends on, for make and ninja; - for stdout")
         ->type_name("FILE");
     verb->add_flag("--dry-run", flags->is_dry_run, "say what would be cooked and why, and write nothing");
     verb->add_flag("--check-determinism", flags->checks_determinism, "cook twice at different --jobs, compare");

@@ -29,9 +29,18 @@ std::vector<pipeline::SchemaFile> all_schemas() {
     return files;
 }
 
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (!std::filesystem::is_directory(path))
+        throw Error(ErrorKind::file, path + ": no folder, and none can be made there" +
+                                         (error ? ": " + error.message() : std::string()));
+}
+
 int run_schema(const SchemaFlags& flags, const Console& console) {
     const std::vector<pipeline::SchemaFile> files = all_schemas();
     std::vector<std::string> names;
+    if (!flags.folder.empty()) make_folder(flags.folder);
     for (const pipeline::SchemaFile& file : files) {
         names.push_back(file.name.substr(0, file.name.find('.')));
         if (!flags.folder.empty())
@@ -56,7 +65,8 @@ void add_schema(CLI::App& dev, Session& session) {
     CLI::App* verb = dev.add_subcommand("schema", "the JSON Schemas of recipes and of everything printed as JSON");
     const auto flags = std::make_shared<SchemaFlags>();
     verb->add_option("NAME", flags->name, "print this one; without it the names are listed");
-    verb->add_option("--write", flags->folder, "write all of them into a folder")->type_name("FOLDER");
+    verb->add_option("--write", flags->folder, "write all of them into a folder, which is made if need be")
+        ->type_name("FOLDER");
     verb->footer("Example: crumple dev schema --write schemas");
     verb->callback(
         [flags, &session] { session.run = [flags, &session] { return run_schema(*flags, session.console); }; });

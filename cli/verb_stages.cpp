@@ -49,8 +49,8 @@ Recipe recipe_of(const Stage& stage, const StageFlags& flags) {
     return recipe;
 }
 
-std::vector<std::string> inputs_of(const StageFlags& flags) {
-    return flags.import ? paths_of(sources_of(*flags.import)) : std::vector<std::string>{flags.input};
+std::vector<std::string> inputs_of(const StageFlags& flags, const Recipe& recipe) {
+    return flags.import ? input_paths(sources_of(*flags.import), recipe) : std::vector<std::string>{flags.input};
 }
 
 Workspace load_input(const Stage& stage, const StageFlags& flags) {
@@ -79,7 +79,7 @@ pipeline::Observer observer_of(const Console& console) {
 
 int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& console) {
     const Recipe recipe = recipe_of(stage, flags);
-    const std::vector<std::string> inputs = inputs_of(flags);
+    const std::vector<std::string> inputs = inputs_of(flags, recipe);
     pipeline::check_output_path(flags.output.path, inputs);
     check_output_paths({{"-o", flags.output.path},
                         {"what a quality gate refuses of -o", pipeline::rejected_path(flags.output.path), false}},
@@ -92,7 +92,7 @@ int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& c
     if (flags.output.format == Format::json) console.result(report::write_json(report::Described::of(run)));
     console.talk(report::findings_text(run.findings, {console.colors_talk(), 0}));
     if (run.is_rejected()) pipeline::reject(run.findings, flags.output.path, image);
-    const bool is_changed = pipeline::write_if_changed(flags.output.path, image);
+    const bool is_changed = pipeline::accept(flags.output.path, image);
     console.talk(report::printable(flags.output.path) + ": " + std::string(stage.name) + " in " +
                  report::number_text(run.usage.wall_s) + " s, " + report::findings_summary(run.findings) +
                  (is_changed ? "\n" : ", unchanged\n"));

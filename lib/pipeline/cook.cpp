@@ -83,7 +83,7 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
         report.stopped_in = report.stages.back().name;
         reject(report.stages.back().findings, request.output, image);
     }
-    report.output.is_unchanged = !write_if_changed(request.output, image);
+    report.output.is_unchanged = !accept(request.output, image);
     report.stopped_in.clear();
 }
 

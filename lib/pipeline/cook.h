@@ -96,8 +96,9 @@ void describe(Visitor& visit, R& r) {
     visit.field("stages", r.stages, "that would run, in order");
 }
 
-// Compares what the output says about itself with what a cook would put there. Throws Error(file) for inputs that are
-// missing; a damaged output is a reason.
+// Compares what the output says about itself with what a cook would put there. Throws as import for inputs that are
+// missing, of no format that is read, or whose header, counts, indices or numbers are wrong; what only assimp or a
+// later stage would find it does not see. A damaged output is a reason.
 [[nodiscard]] DryRunReport dry_run(const Recipe& recipe, const CookRequest& request);
 
 }

@@ -11,13 +11,13 @@
 namespace crumple::pipeline {
 
 struct InputRecord {
-    std::string name;    // "shell", "visual/<name>", "points"
+    std::string name;    // "shell", "visual/<name>", "<either>/buffer/<n>", "points"
     std::string sha256;  // of the file's bytes
 };
 
 template <class Visitor, FieldsOf<InputRecord> R>
 void describe(Visitor& visit, R& r) {
-    visit.field("name", r.name, "shell, visual/<name> or points");
+    visit.field("name", r.name, "shell, visual/<name> or points; <that>/buffer/<n>: a file that belongs to it");
     visit.field("sha256", r.sha256, "of the file's bytes");
 }
 

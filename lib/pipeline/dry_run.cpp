@@ -45,8 +45,9 @@ void compare_stage(const Stage& stage, const report::OwnedDescribed& params, con
     compare_json(&before, &now, name, reasons);
 }
 
-void compare_inputs(const Workspace& old, const importer::Sources& sources, std::vector<std::string>& reasons) {
-    const auto now = digest_inputs(sources);
+using Digests = std::vector<BundleProvenance::Entry>;
+
+void compare_inputs(const Workspace& old, const Digests& now, std::vector<std::string>& reasons) {
     for (const auto& input : now) {
         const auto before = std::find_if(old.input_digests.begin(), old.input_digests.end(),
                                          [&](const auto& d) { return d.name == input.name; });
@@ -66,14 +67,15 @@ void compare_inputs(const Workspace& old, const importer::Sources& sources, std:
 DryRunReport dry_run(const Recipe& recipe, const CookRequest& request) {
     DryRunReport report;
     for (const Stage& stage : stage_table()) report.stages.emplace_back(stage.name);
-    const auto digests = digest_inputs(request.sources);  // refuses what cannot be read
+    importer::look_at_inputs(request.sources, recipe.params[stage_index("import")].as<importer::Params>());
+    const Digests digests = digest_inputs(input_files(request.sources, recipe));
     if (!std::filesystem::exists(request.output)) {
         report.reasons.push_back("the output is not there");
         return report;
     }
     try {
         const Workspace old = read_work_file(request.output);
-        compare_inputs(old, request.sources, report.reasons);
+        compare_inputs(old, digests, report.reasons);
         for (std::size_t i = 0; i < stage_table().size(); ++i)
             compare_stage(stage_table()[i], recipe.params[i], old, report.reasons);
         if (old.tets.has_value() != request.contents.has_work) {

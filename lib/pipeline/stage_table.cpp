@@ -23,7 +23,7 @@ namespace crumple::pipeline {
 namespace {
 
 importer::Report run_import(Workspace& work, const importer::Params& params, const Context& context) {
-    work.input_digests = digest_inputs(work.sources);
+    work.input_digests = digest_inputs(importer::input_files(work.sources, params));
     auto result = importer::import_asset(work.sources, params, context);
     work.asset = std::move(result.asset);
     return std::move(result.report);

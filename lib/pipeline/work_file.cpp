@@ -131,6 +131,21 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
     }
 }
 
+namespace {
+
+// Best effort: the cook went well whatever becomes of it.
+void forget_rejected(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    try {
+        if (read_work_file(path).bundle) std::filesystem::remove(path, ignored);
+    } catch (const Error&) {
+        return;  // no file of ours
+    }
+}
+
+}
+
 std::string rejected_path(const std::string& output) {
     std::filesystem::path path(output);
     return path.replace_extension(".rejected.hdf").string();
@@ -152,6 +167,12 @@ void reject(const std::vector<Finding>& findings, const std::string& output, con
         message += std::string("and the result could not be kept: ") + error.what();
     }
     throw Error(ErrorKind::quality, message);
+}
+
+bool accept(const std::string& output, const std::vector<std::byte>& image) {
+    const bool is_changed = write_if_changed(output, image);
+    forget_rejected(rejected_path(output));
+    return is_changed;
 }
 
 bool write_if_changed(const std::string& path, const std::vector<std::byte>& image) {

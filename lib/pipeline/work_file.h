@@ -38,6 +38,10 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
 [[noreturn]] void reject(const std::vector<Finding>& findings, const std::string& output,
                          const std::vector<std::byte>& image);
 
+// Puts the image at the output, and takes away a result that was refused there before, if it is a file of ours: what
+// nobody asks about any more would be taken for news. Returns false when the output held these bytes already.
+bool accept(const std::string& output, const std::vector<std::byte>& image);
+
 // Returns false, and touches nothing, when the file holds these bytes already.
 bool write_if_changed(const std::string& path, const std::vector<std::byte>& image);
 

@@ -49,7 +49,7 @@ struct Workspace {
     std::optional<TetMesh> tets;
     std::optional<Bindings> bindings;
     std::optional<Bundle> bundle;
-    std::vector<BundleProvenance::Entry> input_digests;  // "shell", "visual/<name>", "points" -> SHA-256
+    std::vector<BundleProvenance::Entry> input_digests;  // by name as in InputRecord -> SHA-256
     std::vector<StageRecord> records;                    // in the order of the stage table
 };
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/fields.h"
+
 namespace crumple::sample {
 
 enum class CountKind {
@@ -18,6 +20,9 @@ struct Count {
 };
 
 inline constexpr std::uint64_t max_count = 1'000'000;
+
+// The same for the schema: what parse_count takes, and nothing else.
+inline constexpr Pattern count_pattern{"^(auto|0*(1000000|[0-9]{1,6})|tets:0*(1000000|[1-9][0-9]{0,5}))$"};
 
 // Throws Error(usage) that shows what can be written.
 [[nodiscard]] Count parse_count(std::string_view text);

@@ -11,6 +11,7 @@
 #include "core/finding.h"
 #include "mesh/point_set.h"
 #include "mesh/shell.h"
+#include "sample/count.h"
 
 namespace crumple::sample {
 
@@ -50,11 +51,9 @@ struct Report {
                                     // SAMPLE_NO_DENSITY, SAMPLE_OPEN_SHELL, SAMPLE_THIN
 };
 
-inline constexpr Pattern points_pattern{"^(auto|[0-9]{1,7}|tets:0*[1-9][0-9]{0,6})$"};
-
 template <class Visitor, FieldsOf<Params> P>
 void describe(Visitor& visit, P& p) {
-    visit.field("points", p.points, points_pattern,
+    visit.field("points", p.points, count_pattern,
                 "interior points: \"auto\" (as the shell's edges suggest), a number such as \"500\", or \"tets:5000\" "
                 "for about "
                 "that many tets in all");

@@ -29,6 +29,17 @@ class Rejected(program.Case):
         self.assertFalse(self.output.exists())
         self.assertTrue(self.rejected.exists())
 
+    def test_after_a_good_one_the_refused_result_is_gone(self):
+        self.fails(self.cook(*STRICT), 4)
+        self.assertTrue(self.rejected.exists())
+        self.ok(self.cook())
+        self.assertFalse(self.rejected.exists())
+
+    def test_a_file_of_that_name_that_is_none_of_ours_stays(self):
+        self.rejected.write_text("notes")
+        self.ok(self.cook())
+        self.assertEqual(self.rejected.read_text(), "notes")
+
     def test_the_place_of_a_refused_result_is_no_input_and_no_other_output(self):
         self.ok(self.cook("--keep-work"))
         self.output.rename(self.rejected)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <string>
 
 #include "core/error.h"
@@ -14,10 +15,17 @@ using namespace crumple::sample;
 namespace {
 
 TEST(Count, AnythingButTheThreeFormsIsRefusedWithWhatCanBeWritten) {
-    for (const char* text : {"",        " ",           "Auto", "auto ",    "-1",    "+5",
-                             "5.0",     "1e3",         "5 ",   " 5",       "0x10",  "tets:",
-                             "tets:-3", "tets: 5",     "tets", "points:5", "5,000", "99999999999999999999999",
-                             "1000001", "tets:1000001", "tets:0", "tets:00"}) {
+    for (const char* text : {"",        " ",
+                             "Auto",    "auto ",
+                             "-1",      "+5",
+                             "5.0",     "1e3",
+                             "5 ",      " 5",
+                             "0x10",    "tets:",
+                             "tets:-3", "tets: 5",
+                             "tets",    "points:5",
+                             "5,000",   "99999999999999999999999",
+                             "1000001", "tets:1000001",
+                             "tets:0",  "tets:00"}) {
         try {
             (void)parse_count(text);
             ADD_FAILURE() << '"' << text << '"';
@@ -28,6 +36,24 @@ TEST(Count, AnythingButTheThreeFormsIsRefusedWithWhatCanBeWritten) {
             EXPECT_NE(message.find("\"tets:5000\""), std::string::npos) << message;
         }
     }
+}
+
+bool is_read(const std::string& text) {
+    try {
+        (void)parse_count(text);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+TEST(Count, TheSchemasPatternTakesWhatTheProgramTakes) {
+    const std::regex pattern{std::string(count_pattern.text)};
+    for (const char* text : {"auto",         "Auto",    "",         "0",       "00",           "0007",
+                             "999999",       "1000000", "01000000", "1000001", "9999999",      "00999999",
+                             "tets:0",       "tets:00", "tets:1",   "tets:01", "tets:1000000", "tets:1000001",
+                             "tets:9999999", "tets:",   "-1",       "1e3"})
+        EXPECT_EQ(std::regex_search(text, pattern), is_read(text)) << text;
 }
 
 TEST(Count, TheThreeFormsAreRead) {
