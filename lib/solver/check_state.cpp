@@ -22,7 +22,7 @@ bool is_header_fine(const StateHeader& h) {
 
 bool is_packet_fine(const TetState& packet) {
     const bool are_collapses = std::all_of(std::begin(packet.collapse), std::end(packet.collapse),
-                                           [](std::uint8_t c) { return c < std::size(collapse_signs); });
+                                           [](std::uint8_t c) { return c < collapse_count; });
     return are_collapses && are_finite({packet.rotation[0], 4 * packet_size}) &&
            are_finite({packet.plastic[0], 6 * packet_size}) && are_finite(packet.hardening);
 }

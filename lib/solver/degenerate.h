@@ -15,10 +15,11 @@ namespace crumple::solver {
 enum class Collapse : std::uint8_t { none, corner0, corner1, corner2, corner3, edge01, edge02, edge03 };
 
 // The moving corners' weights over the gradients of corners 1, 2, 3: the moving set's gradient is
-// sum_k sign[k] g_(k+1), and the axis along which it grows the volume is sum_k sign[k] C_k with C the cofactors of Ds.
-// Corner 0 is minus the other three, since all gradients sum to zero.
-inline constexpr float collapse_signs[8][3] = {{0, 0, 0}, {-1, -1, -1}, {1, 0, 0},   {0, 1, 0},
-                                               {0, 0, 1}, {0, -1, -1},  {-1, 0, -1}, {-1, -1, 0}};
+// sum_k sign[k] g_(k+1) with sign[k] = collapse_signs[k][collapse], and the axis along which it grows the volume is
+// sum_k sign[k] C_k with C the cofactors of Ds. Corner 0 is minus the other three, since all gradients sum to zero.
+inline constexpr std::size_t collapse_count = 8;
+inline constexpr float collapse_signs[3][collapse_count] = {
+    {0, -1, 1, 0, 0, 0, -1, -1}, {0, -1, 0, 1, 0, -1, 0, -1}, {0, -1, 0, 0, 1, -1, -1, 0}};
 
 // Positions of the corners on the way from -> to; det F = six times the volume over six_rest_volumes.
 struct CollapsePath {

@@ -39,12 +39,14 @@ inline void deformation(const Edges& d, const Lanes (&g)[9], Lanes (&f)[9]) {
 // Fills in how newly degenerate lanes collapsed and forgets it where det F is back above the threshold.
 inline void update_collapse(const ElementJob& job, const TetPacket& packet, TetState& state, int lane,
                             unsigned is_bad) {
+    std::uint8_t* const collapse = state.collapse + lane;
+    // Nearly always nobody is bad, or whoever is was so before.
+    if (is_bad == nonzero_bytes(collapse)) return;
     for (int l = 0; l < Lanes::width; ++l) {
-        std::uint8_t& collapse = state.collapse[lane + l];
         if (!(is_bad >> l & 1u)) {
-            collapse = 0;
-        } else if (collapse == 0) {
-            collapse = collapse_of_lane(job, packet, lane + l);
+            collapse[l] = 0;
+        } else if (collapse[l] == 0) {
+            collapse[l] = collapse_of_lane(job, packet, lane + l);
         }
     }
 }
@@ -58,16 +60,12 @@ struct Treated {
 // scaled by its area and h the gradient of the moving corners, or F - 2 u (u^T F) / u.u.
 inline Treated treat(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane, const Edges& d,
                      const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
-    float sign_rows[3][16] = {};
-    for (int l = 0; l < Lanes::width; ++l) {
-        for (int k = 0; k < 3; ++k) sign_rows[k][l] = collapse_signs[state.collapse[lane + l]][k];
-    }
     const Lanes zero = Lanes::all(0);
     Lanes u[3] = {zero, zero, zero};
     Lanes h[3] = {zero, zero, zero};
     Lanes edge_size = zero;
     for (int k = 0; k < 3; ++k) {
-        const Lanes sign = Lanes::load(sign_rows[k]);
+        const Lanes sign = look_up(collapse_signs[k], state.collapse + lane);
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         u[0] = fma(sign, fnma(d.z[a], d.y[b], d.y[a] * d.z[b]), u[0]);
         u[1] = fma(sign, fnma(d.x[a], d.z[b], d.z[a] * d.x[b]), u[1]);

@@ -84,12 +84,18 @@ inline std::uint32_t finish_rows(const RowJob& job, std::size_t begin, std::size
 }
 
 inline void multiply(const SolveJob& job, std::size_t begin, std::size_t end) {
+    // What is read through `job` in the loop would be read again after every store.
+    const float* const blocks = job.blocks;
+    const float* const direction = job.direction;
+    const Index* const column = job.column;
+    const auto x = [&](std::size_t k) { return direction + 4 * static_cast<std::size_t>(column[k]); };
     for (std::size_t row = begin; row < end; ++row) {
         RowSum sum;
         if (!job.is_fixed[row]) {
-            for (std::size_t k = job.row_start[row]; k < job.row_start[row + 1]; ++k) {
-                sum.add(job.blocks + 9 * k, job.direction + 4 * static_cast<std::size_t>(job.column[k]));
-            }
+            std::size_t k = job.row_start[row];
+            const std::size_t row_end = job.row_start[row + 1];
+            for (; k + 1 < row_end; k += 2) sum.add_pair(blocks + 9 * k, x(k), x(k + 1));
+            if (k < row_end) sum.add(blocks + 9 * k, x(k));
         }
         sum.store(job.product + 4 * row);
     }

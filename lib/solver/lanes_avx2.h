@@ -4,6 +4,9 @@
 #include <immintrin.h>
 
 #include <cstddef>
+#include <cstdint>
+
+#include "solver/row_sum_avx.h"
 
 namespace crumple::solver::avx2 {
 
@@ -40,6 +43,15 @@ inline Mask mask_of(unsigned b) {
     const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(b)), bit);
     return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(hit, bit))};
+}
+
+inline Lanes look_up(const float (&table)[8], const std::uint8_t* index) {
+    const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(index));
+    return {_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), _mm256_cvtepu8_epi32(bytes))};
+}
+inline unsigned nonzero_bytes(const std::uint8_t* bytes) {
+    const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes));
+    return ~static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(eight, _mm_setzero_si128()))) & 0xffu;
 }
 
 // Four registers hold, in their two 128-bit parts, (x y z w) of lanes 0 4, 1 5, ...: turn rows into columns.
@@ -99,23 +111,6 @@ inline float sum(Quads a) {
     const __m128 pair = _mm_add_ps(quad, _mm_movehl_ps(quad, quad));
     return _mm_cvtss_f32(_mm_add_ss(pair, _mm_movehdup_ps(pair)));
 }
-
-// One sum a column; a block's last column is read one float early, or it would reach past the block.
-struct RowSum {
-    __m128 a = _mm_setzero_ps();
-    __m128 b = _mm_setzero_ps();
-    __m128 c = _mm_setzero_ps();
-    void add(const float* block, const float* x) {
-        a = _mm_fmadd_ps(_mm_loadu_ps(block), _mm_broadcast_ss(x), a);
-        b = _mm_fmadd_ps(_mm_loadu_ps(block + 3), _mm_broadcast_ss(x + 1), b);
-        c = _mm_fmadd_ps(_mm_loadu_ps(block + 5), _mm_broadcast_ss(x + 2), c);
-    }
-    void store(float* y) const {
-        const __m128 last = _mm_permute_ps(c, 0x39);  // 1 2 3 0
-        const __m128 all = _mm_add_ps(_mm_add_ps(a, b), last);
-        _mm_store_ps(y, _mm_blend_ps(all, _mm_setzero_ps(), 8));
-    }
-};
 
 struct BlockSum {
     __m256 v = _mm256_setzero_ps();

@@ -4,6 +4,9 @@
 #include <immintrin.h>
 
 #include <cstddef>
+#include <cstdint>
+
+#include "solver/row_sum_avx.h"
 
 namespace crumple::solver::avx512 {
 
@@ -37,6 +40,16 @@ inline Lanes abs(Lanes a) { return {_mm512_abs_ps(a.v)}; }
 inline Lanes select(Mask m, Lanes a, Lanes b) { return {_mm512_mask_blend_ps(m.m, b.v, a.v)}; }
 inline unsigned bits(Mask m) { return m.m; }
 inline Mask mask_of(unsigned b) { return {static_cast<__mmask16>(b)}; }
+
+inline Lanes look_up(const float (&table)[8], const std::uint8_t* index) {
+    const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
+    const __m512 both_halves = _mm512_broadcast_f32x8(_mm256_loadu_ps(table));
+    return {_mm512_permutexvar_ps(_mm512_cvtepu8_epi32(bytes), both_halves)};
+}
+inline unsigned nonzero_bytes(const std::uint8_t* bytes) {
+    const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
+    return _mm_test_epi8_mask(sixteen, sixteen);
+}
 
 // Four registers hold, in their four 128-bit parts, (x y z w) of lanes 0 4 8 12, 1 5 9 13, ...: turn rows into columns.
 inline void transpose4(__m512& a, __m512& b, __m512& c, __m512& d) {
@@ -103,37 +116,6 @@ inline float sum(Quads a) {
 }
 
 inline constexpr __mmask16 nine = 0x1ff;
-
-// Eight elements in one register and the ninth in another: a 64-byte load of 36 would straddle two cache lines nearly
-// always. Two sums of each, or every addition would wait for the one before.
-struct RowSum {
-    __m256 even = _mm256_setzero_ps();
-    __m256 odd = _mm256_setzero_ps();
-    __m128 last_even = _mm_setzero_ps();  // lane 3 counts
-    __m128 last_odd = _mm_setzero_ps();
-    void add(const float* block, const float* x) {
-        const __m256i order = _mm256_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2);
-        const __m128 node = _mm_load_ps(x);
-        const __m256 spread = _mm256_permutevar8x32_ps(_mm256_castps128_ps256(node), order);
-        const __m256 eight = _mm256_fmadd_ps(_mm256_loadu_ps(block), spread, even);
-        even = odd;
-        odd = eight;
-        const __m128 last = _mm_fmadd_ps(_mm_loadu_ps(block + 5), _mm_permute_ps(node, 0xbf), last_even);  // w w w z
-        last_even = last_odd;
-        last_odd = last;
-    }
-    void store(float* y) const {
-        const __m256 eight = _mm256_add_ps(even, odd);
-        const __m128 last = _mm_add_ps(last_even, last_odd);
-        const __m128 second =
-            _mm256_castps256_ps128(_mm256_permutevar8x32_ps(eight, _mm256_setr_epi32(3, 4, 5, 5, 5, 5, 5, 5)));
-        const __m128 third = _mm_insert_ps(
-            _mm256_castps256_ps128(_mm256_permutevar8x32_ps(eight, _mm256_setr_epi32(6, 7, 7, 7, 7, 7, 7, 7))), last,
-            0xe8);  // element 3 to lane 2, lane 3 zero
-        const __m128 sum = _mm_add_ps(_mm_add_ps(_mm256_castps256_ps128(eight), second), third);
-        _mm_store_ps(y, _mm_blend_ps(sum, _mm_setzero_ps(), 8));
-    }
-};
 
 struct BlockSum {
     __m512 v = _mm512_setzero_ps();

@@ -2,6 +2,8 @@
 // One lane: the kernels as plain scalar code, for tests and for processors without a wide version.
 #pragma once
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace crumple::solver::scalar {
 
@@ -35,6 +37,12 @@ inline Lanes abs(Lanes a) { return {std::fabs(a.v)}; }
 inline Lanes select(Mask m, Lanes a, Lanes b) { return m.m ? a : b; }
 inline unsigned bits(Mask m) { return m.m ? 1u : 0u; }
 inline Mask mask_of(unsigned b) { return {(b & 1u) != 0}; }
+
+// Lane l = table[index[l]].
+inline Lanes look_up(const float (&table)[8], const std::uint8_t* index) { return {table[*index]}; }
+
+// Which of as many bytes as there are lanes are not 0.
+inline unsigned nonzero_bytes(const std::uint8_t* bytes) { return *bytes != 0 ? 1u : 0u; }
 
 // Lane l of (x, y, z) = the first three floats at base + 4 index[l].
 inline void gather3(const float* base, const unsigned* index, Lanes& x, Lanes& y, Lanes& z) {
@@ -83,6 +91,10 @@ struct RowSum {
         for (int c = 0; c < 3; ++c) {
             for (int r = 0; r < 3; ++r) v[3 * c + r] += block[3 * c + r] * x[c];
         }
+    }
+    void add_pair(const float* blocks, const float* x, const float* next_x) {
+        add(blocks, x);
+        add(blocks + 9, next_x);
     }
     void store(float* y) const {
         for (int r = 0; r < 3; ++r) y[r] = (v[r] + v[3 + r]) + v[6 + r];

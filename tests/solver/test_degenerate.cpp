@@ -105,7 +105,7 @@ TEST(Degenerate, TheAxisOfEveryKindOfCollapseGrowsTheVolume) {
         for (int kind = 1; kind < 8; ++kind) {
             const Mat3 cofactors = cofactor(Mat3::from_columns(x[1] - x[0], x[2] - x[0], x[3] - x[0]));
             Vec3f axis{};
-            for (int k = 0; k < 3; ++k) axis += cofactors.column(k) * collapse_signs[kind][k];
+            for (int k = 0; k < 3; ++k) axis += cofactors.column(k) * collapse_signs[k][kind];
             // Move the corners of the kind.
             auto moved = x;
             const bool is_edge = kind > 4;
