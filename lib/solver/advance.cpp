@@ -13,9 +13,6 @@ namespace {
 constexpr double noise_strain_squared = 1e-12;
 constexpr double forgets_per_s = 1;  // how fast the budget comes down to what is there
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-Vec3f narrow(Vec3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
-
 bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Vec3f row(std::span<const float> rows, std::size_t node) {
@@ -37,15 +34,16 @@ struct Trial {
 };
 
 // A node whose numbers overflow stops where it is.
-Trial propose(const Model& model, const State& state, Workspace& w, const StepInput& input, const RigidLocks& rigid) {
+Trial propose(const Model& model, const State& state, Workspace& w, const StepInput& input, const RigidLocks& locks) {
     Trial trial{w.product, w.precise};
     for (std::size_t node = 0; node < model.node_count; ++node) {
         Vec3f v = velocity(state, node);
         if (!w.is_fixed[node]) v += row(w.change, node);
         Vec3f u = v;
-        if (rigid.is_active) {
-            const bool is_carried = model.bundle.locked[node] && w.constraint[node] == 0;
-            u = is_carried ? Vec3f{} : narrow(widen(v) - rigid_velocity(rigid.change, widen(position(state, node))));
+        if (locks.is_active) {
+            u = is_carried(model, w, node)
+                    ? Vec3f{}
+                    : narrow(widen(v) - rigid_velocity(locks.change, widen(position(state, node))));
         }
         Vec3f x = position(state, node) + u * input.dt;
         if (!is_finite(u) || !is_finite(x)) {
@@ -61,6 +59,8 @@ Trial propose(const Model& model, const State& state, Workspace& w, const StepIn
         trial.relative += 0.5 * mass * static_cast<double>(dot(u, u));
         trial.work += static_cast<double>(dot(push, v)) * static_cast<double>(input.dt);
     }
+    trial.kinetic += 0.5 * dot6(locks.change, times(locks.own_mass, locks.change));
+    trial.work += dot6(locks.change, locks.fall);
     return trial;
 }
 
@@ -77,17 +77,50 @@ double elastic_energy_of(const Trial& trial, const Model& model, Workspace& w, c
     return total;
 }
 
-void add_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
-                  Advanced& result) {
-    const auto add = [&](std::size_t node, Vec3 impulse) {
-        result.impulse += impulse;
-        result.angular_impulse += cross(widen(position(state, node)), impulse);
-    };
+// What each constraint gives; a body that some of them hold fast.
+void add_constraint_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
+                             Six& given) {
     for (Index node = 0; node < model.node_count; ++node) {
-        if (!input.forces.empty()) add(node, widen(input.forces[node]) * static_cast<double>(input.dt));
         if (w.constraint[node] == 0 || model.bundle.locked[node]) continue;
-        add(node, widen(constraint_impulse(model, w, input.constraints[w.constraint[node] - 1])));
+        const Vec3f impulse = constraint_impulse(model, w, input.constraints[w.constraint[node] - 1]);
+        add_to(given, 1, push_at(widen(position(state, node)), widen(impulse)));
     }
+}
+
+// A free body's momentum changes by what its constraints give and by what is known: so the two agree whatever the
+// solve left undone.
+void add_missing_momentum(const Model& model, const State& state, const Workspace& w, const StepInput& input,
+                          const Ledger& ledger, const RigidLocks& locks, Six& given) {
+    add_to(given, -1, ledger.momentum);
+    const double dt = static_cast<double>(input.dt);
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        const Vec3 v = widen(velocity(state, node)) + widen(row(w.change, node));
+        const Vec3 known =
+            widen(outside_force(model, state, input, node)) - v * static_cast<double>(model.alpha_mass[node]);
+        const Vec3 gained = v * static_cast<double>(model.bundle.mass[node]) - known * dt;
+        add_to(given, 1, push_at(widen(position(state, node)), gained));
+    }
+    add_to(given, 1, times(locks.own_mass, locks.change));
+    add_to(given, -1, locks.fall);
+    add_to(given, -1, ledger.wind.push);
+}
+
+void add_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
+                  const ConstraintCounts& constraints, const Ledger& ledger, const Whole& whole, Advanced& result) {
+    Six given = ledger.wind.push;
+    if (!input.forces.empty()) {
+        for (std::size_t node = 0; node < model.node_count; ++node) {
+            add_to(given, static_cast<double>(input.dt),
+                   push_at(widen(position(state, node)), widen(input.forces[node])));
+        }
+    }
+    if (!whole.response.is_given) {
+        add_constraint_impulses(model, state, w, input, given);
+    } else if (constraints.partial > 0) {
+        add_missing_momentum(model, state, w, input, ledger, whole.locks, given);
+    }
+    result.impulse = linear_part(given);
+    result.angular_impulse = angular_part(given);
 }
 
 void commit(const Model& model, State& state, const Trial& trial) {
@@ -101,8 +134,8 @@ void commit(const Model& model, State& state, const Trial& trial) {
 }
 
 Advanced advance(const Model& model, State& state, Workspace& w, const StepInput& input,
-                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
-                 RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs) {
+                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger, Whole& whole,
+                 const Kernels& kernels, const Jobs& jobs) {
     StateHeader& header = *state.header;
     const double energy = ledger.energy;
     const double put_in = header.step_count == 0 ? energy : header.budget + energy - header.energy;
@@ -114,15 +147,15 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
     const bool is_driven = std::any_of(input.constraints.begin(), input.constraints.end(),
                                        [](const Constraint& c) { return !(c.velocity == Vec3f{}); });
     for (;;) {
-        const Trial trial = propose(model, state, w, input, rigid);
-        const double work = trial.work + ledger.wind_work + constraint_work(model, w, input);
+        const Trial trial = propose(model, state, w, input, whole.locks);
+        const double work = trial.work + ledger.wind.work + constraint_work(model, w, input);
         budget = std::max(put_in + work, 0.0);
         result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
         result.has_overflowed = result.has_overflowed || trial.has_overflowed;
         const bool is_fine = result.energy <= std::max(budget_slack * budget, energy + work) + noise;
         const bool is_last = keep == 0 || (is_driven && keep < 0.1);
         if (is_fine || is_last) {
-            add_impulses(model, state, w, input, result);
+            add_impulses(model, state, w, input, constraints, ledger, whole, result);
             if (!input.reactions.empty()) write_reactions(model, w, constraints.partial, input);
             commit(model, state, trial);
             result.energy += trial.relative - trial.kinetic;
@@ -132,7 +165,7 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
         // A few halves, then standing still.
         const double before = keep;
         keep = keep > 0.1 || is_driven ? 0.5 * keep : 0;
-        shorten_change(model, state, w, constraints, rigid, 1 - keep / before);
+        shorten_change(model, state, w, constraints, whole, 1 - keep / before);
         result.is_cut = true;
     }
     if (!std::isfinite(result.energy)) result.energy = budget = 0;

@@ -9,6 +9,7 @@
 // was put in. What changed between steps was the caller's doing and counts as put in.
 #pragma once
 #include "solver/constraints.h"
+#include "solver/outside.h"
 #include "solver/restrain.h"
 
 namespace crumple::solver {
@@ -18,13 +19,14 @@ namespace crumple::solver {
 inline constexpr double budget_slack = 1.5;
 
 struct Ledger {
-    double energy = 0;     // kinetic and elastic before the step, J
-    double wind_work = 0;  // J
+    double energy = 0;  // kinetic and elastic before the step, J
+    Six momentum{};     // before the step
+    WindPush wind;
 };
 
 struct Advanced {
     double energy = 0;  // kinetic and elastic, J
-    Vec3 impulse;       // as StepReport has them, without wind
+    Vec3 impulse;       // as StepReport has them
     Vec3 angular_impulse;
     bool is_cut = false;
     bool has_overflowed = false;
@@ -33,7 +35,7 @@ struct Advanced {
 // `elements` is the job of this step. Fills the reactions when asked.
 // REQUIRES: restrain() has run.
 Advanced advance(const Model& model, State& state, Workspace& workspace, const StepInput& input,
-                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger,
-                 RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs);
+                 const ConstraintCounts& constraints, const ElementJob& elements, const Ledger& ledger, Whole& whole,
+                 const Kernels& kernels, const Jobs& jobs);
 
 }

@@ -34,6 +34,7 @@ static_assert(are_same(CRUMPLE_ROTATION_SVD_LAST, static_cast<int>(RotationMetho
               are_same(CRUMPLE_PLASTICITY_OFF, static_cast<int>(Plasticity::off)) &&
               are_same(CRUMPLE_ISA_AVX512, static_cast<int>(Isa::avx512)) &&
               are_same(CRUMPLE_ON_RAIL, static_cast<int>(ConstraintKind::rail)) &&
+              are_same(CRUMPLE_IN_CONTACT, static_cast<int>(ConstraintKind::contact)) &&
               are_same(CRUMPLE_BOX, static_cast<int>(ObstacleShape::box)));
 
 template <class To, class From>
@@ -114,7 +115,8 @@ bool are_kinds_known(const crumple_input& input) {
     const auto obstacles = std::span(input.obstacles, input.obstacles ? input.obstacle_count : 0);
     const auto constraints = std::span(input.constraints, input.constraints ? input.constraint_count : 0);
     return std::all_of(obstacles.begin(), obstacles.end(), [](const auto& o) { return o.shape <= CRUMPLE_BOX; }) &&
-           std::all_of(constraints.begin(), constraints.end(), [](const auto& c) { return c.kind <= CRUMPLE_ON_RAIL; });
+           std::all_of(constraints.begin(), constraints.end(),
+                       [](const auto& c) { return c.kind <= CRUMPLE_IN_CONTACT; });
 }
 
 VisualView visual_at(const crumple_instance& instance, uint32_t visual) {

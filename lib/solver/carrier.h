@@ -6,8 +6,6 @@
 
 namespace crumple::solver {
 
-using Mat3d = Mat3T<double>;
-
 // In the world; what the game's rigid body does during this step. `position` is that of the frame's origin.
 struct CarrierMotion {
     Vec3 position;           // m
@@ -43,7 +41,6 @@ public:
     }
 
 private:
-    static Vec3f narrow(Vec3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
     const CarrierMotion& motion_;
     Mat3d turn_;
     Mat3d turn_back_;

@@ -9,12 +9,13 @@ namespace {
 
 // The taken directions of a constraint, orthonormal; taken_count 0 when they have no length or are parallel.
 Partial directions_of(const Constraint& c) {
-    Partial partial{c.node, 0, {}, {}};
+    Partial partial{c.node, 0, {}, {}, c.kind == ConstraintKind::contact, 0};
     const float normal_length = length(c.normal);
     if (!(normal_length > 0) || !std::isfinite(normal_length)) return partial;
     partial.taken = c.normal / normal_length;
-    if (c.kind == ConstraintKind::plane) {
+    if (c.kind != ConstraintKind::rail) {
         partial.taken_count = 1;
+        partial.least = dot(partial.taken, c.velocity);
         return partial;
     }
     const Vec3f second = c.second - partial.taken * dot(partial.taken, c.second);
@@ -26,13 +27,6 @@ Partial directions_of(const Constraint& c) {
 }
 
 bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-// The part of v along the taken directions.
-Vec3f taken_part(const Partial& p, Vec3f v) {
-    Vec3f part = p.taken * dot(p.taken, v);
-    if (p.taken_count == 2) part += p.also_taken * dot(p.also_taken, v);
-    return part;
-}
 
 bool is_usable(const Constraint& c, std::size_t node_count) {
     if (c.node >= node_count || !is_finite(c.velocity)) return false;
@@ -50,7 +44,7 @@ Mat3 block_matrix(const float* block) {
 // (S A S + (I - S))^-1 - (I - S): the inverse of A on the free directions, 0 on the taken ones. The taken directions
 // get the size of A rather than 1, so that the sum is well scaled.
 Mat3 free_inverse(const Partial& p, const Mat3& a) {
-    Mat3 taken = outer(p.taken, p.taken);
+    Mat3 taken = outer(p.taken, p.taken) * (p.taken_count > 0 ? 1.0f : 0.0f);
     if (p.taken_count == 2) taken = taken + outer(p.also_taken, p.also_taken);
     const Mat3 free = Mat3::identity() - taken;
     const float size = trace(a) / 3;
@@ -66,7 +60,15 @@ void write_inverse(const Mat3& a, float* inverse) {
     }
 }
 
-// Row `node` of A dv - b.
+}
+
+Vec3f taken_part(const Partial& p, Vec3f v) {
+    if (p.taken_count == 0) return {};
+    Vec3f part = p.taken * dot(p.taken, v);
+    if (p.taken_count == 2) part += p.also_taken * dot(p.also_taken, v);
+    return part;
+}
+
 Vec3f unbalanced(const Model& model, const Workspace& w, Index node) {
     Vec3f sum = -Vec3f{w.load[4 * node], w.load[4 * node + 1], w.load[4 * node + 2]};
     for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
@@ -74,8 +76,6 @@ Vec3f unbalanced(const Model& model, const Workspace& w, Index node) {
         sum += block_matrix(&w.blocks[9 * static_cast<std::size_t>(k)]) * Vec3f{dv[0], dv[1], dv[2]};
     }
     return sum;
-}
-
 }
 
 ConstraintCounts gather_constraints(const Model& model, Workspace& w, const StepInput& input) {
@@ -107,7 +107,8 @@ Vec3f constrained_velocity(const Workspace& w, const StepInput& input, Index nod
     if (row == 0) return w.is_fixed[node] ? Vec3f{} : v;  // a locked node's v is 0
     const Constraint& c = input.constraints[row - 1];
     if (c.kind == ConstraintKind::fixed) return c.velocity;
-    return v + taken_part(directions_of(c), c.velocity - v);
+    const Vec3f change = taken_part(directions_of(c), c.velocity - v);
+    return c.kind == ConstraintKind::contact && dot(change, c.normal) < 0 ? v : v + change;
 }
 
 void list_partials(const Model& model, Workspace& w, const StepInput& input) {
@@ -130,15 +131,19 @@ void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_cou
         const bool is_carried = model.bundle.locked[node] && w.constraint[node] == 0;
         if (w.is_fixed[node] || is_carried) write_inverse({}, &w.inverse[inverse_at(node)]);
     }
-    for (const Partial& partial : w.partials.first(partial_count)) {
-        const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);
-        write_inverse(free_inverse(partial, a), &w.inverse[inverse_at(partial.node)]);
-    }
+    for (const Partial& partial : w.partials.first(partial_count)) constrain_inverse(model, w, partial);
+}
+
+void constrain_inverse(const Model& model, Workspace& w, const Partial& partial) {
+    const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);
+    write_inverse(free_inverse(partial, a), &w.inverse[inverse_at(partial.node)]);
 }
 
 Vec3f constraint_impulse(const Model& model, const Workspace& w, const Constraint& c) {
     const Vec3f impulse = unbalanced(model, w, c.node);
-    return c.kind == ConstraintKind::fixed ? impulse : taken_part(directions_of(c), impulse);
+    if (c.kind == ConstraintKind::fixed) return impulse;
+    const Vec3f taken = taken_part(directions_of(c), impulse);
+    return c.kind == ConstraintKind::contact && dot(taken, c.normal) < 0 ? Vec3f{} : taken;
 }
 
 double constraint_work(const Model& model, const Workspace& w, const StepInput& input) {

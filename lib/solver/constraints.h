@@ -19,6 +19,9 @@ ConstraintCounts gather_constraints(const Model& model, Workspace& workspace, co
 // The velocity a node starts the solve with: v where it is free, what is prescribed where it is not.
 [[nodiscard]] Vec3f constrained_velocity(const Workspace& workspace, const StepInput& input, Index node, Vec3f v);
 
+// The part of v along the directions that are taken.
+[[nodiscard]] Vec3f taken_part(const Partial& partial, Vec3f v);
+
 // Takes the constrained directions out of a row of four floats.
 void keep_free_part(const Partial& partial, float* row);
 
@@ -28,8 +31,12 @@ void list_partials(const Model& model, Workspace& workspace, const StepInput& in
 
 // Preconditioners of constrained nodes: 0 where fixed, the inverse on the free directions where partly free.
 void constrain_inverse(const Model& model, Workspace& workspace, std::size_t partial_count);
+void constrain_inverse(const Model& model, Workspace& workspace, const Partial& partial);
 
-// N s with which a constraint that counts pushes its node.
+// Row `node` of A change - load: what its constraint has to give, N s.
+[[nodiscard]] Vec3f unbalanced(const Model& model, const Workspace& workspace, Index node);
+
+// N s with which a constraint that counts pushes its node. A contact that pulls has let go.
 [[nodiscard]] Vec3f constraint_impulse(const Model& model, const Workspace& workspace, const Constraint& constraint);
 
 // What moving constraints do to the body on the way of this step, J.

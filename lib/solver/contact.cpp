@@ -4,12 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/constraints.h"
-
 namespace crumple::solver {
 namespace {
-
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
 
 SurfacePoint from_centre(Vec3 away, double radius, Vec3 fallback) {
     const double size = length(away);
@@ -116,9 +112,23 @@ struct Contacts {
             const float gains = std::min(0.0f, dot(falls, normal));
             if (!leaving_speed(surface.distance, approach, gains, o.restitution, dt, leaves)) continue;
             deepest = surface.distance;
-            contact = {none, ConstraintKind::plane, v + normal * leaves, normal, {}};
+            contact = {none, ConstraintKind::contact, v + normal * leaves, normal, {}};
         }
         return deepest < 1e300;
+    }
+    // Whether any point of a face might touch: distances change by no more than the way, and of velocities that are
+    // affine the fastest is at a corner.
+    bool may_touch(const Vec3f (&x)[3], const Vec3f (&velocity)[3]) const {
+        const float size = std::max(length(x[1] - x[0]), length(x[2] - x[0]));
+        const Vec3 places[3] = {frame.point_to_world(x[0]), frame.point_to_world(x[1]), frame.point_to_world(x[2])};
+        return std::any_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) {
+            float speed = 0;
+            for (int i = 0; i < 3; ++i) {
+                const Vec3 of_surface = o.velocity + cross(o.angular_velocity, places[i] - o.position);
+                speed = std::max(speed, length(velocity[i] - frame.velocity(places[i], of_surface)));
+            }
+            return nearest_surface(o, places[0]).distance <= static_cast<double>(1.01f * (size + speed * dt));
+        });
     }
     void hold(Index node, Constraint contact) {
         contact.node = node;
@@ -134,15 +144,21 @@ constexpr float between_nodes[4][3] = {
 
 void hold_face(Contacts& contacts, const State& state, const Tet& tet, std::size_t opposite) {
     Index nodes[3];
-    for (std::size_t i = 0; i < 3; ++i) nodes[i] = tet[(opposite + 1 + i) % 4];
+    Vec3f places[3], velocities[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        nodes[i] = tet[(opposite + 1 + i) % 4];
+        places[i] = position(state, nodes[i]);
+        velocities[i] = velocity(state, nodes[i]);
+    }
+    if (!contacts.may_touch(places, velocities)) return;
     // Beside a node that touches, a face is only on its way there.
     const bool is_on_its_way = std::any_of(nodes, nodes + 3, [&](Index node) { return contacts.is_taken[node]; });
     const auto may_hold = [&](Index node) { return !contacts.model.bundle.locked[node] && !contacts.is_taken[node]; };
     for (const auto& weights : between_nodes) {
         Vec3f x, v;
         for (std::size_t i = 0; i < 3; ++i) {
-            x += position(state, nodes[i]) * weights[i];
-            v += velocity(state, nodes[i]) * weights[i];
+            x += places[i] * weights[i];
+            v += velocities[i] * weights[i];
         }
         Constraint contact;
         if (!contacts.touches(x, v, {}, contact, is_on_its_way)) continue;
@@ -169,9 +185,8 @@ ContactCounts find_contacts(const Model& model, const State& state, const Frame&
     if (obstacles.empty()) return contacts.counts;
     for (Index node = 0; node < model.node_count; ++node) {
         if (model.bundle.locked[node] || is_taken[node]) continue;
-        const Vec3f falls = state.is_pulled[node] ? Vec3f{} : pull * dt;
         Constraint contact;
-        if (contacts.touches(position(state, node), velocity(state, node), falls, contact))
+        if (contacts.touches(position(state, node), velocity(state, node), pull * dt, contact))
             contacts.hold(node, contact);
     }
     for (std::size_t tet = 0; tet < model.tet_count; ++tet) {
@@ -181,13 +196,6 @@ ContactCounts find_contacts(const Model& model, const State& state, const Frame&
         }
     }
     return contacts.counts;
-}
-
-void note_pulled(const Model& model, State& state, const Workspace& w, std::span<const Constraint> contacts) {
-    std::fill(state.is_pulled.begin(), state.is_pulled.end(), std::uint8_t{0});
-    for (const Constraint& c : contacts) {
-        state.is_pulled[c.node] = dot(constraint_impulse(model, w, c), c.normal) < 0;
-    }
 }
 
 void strike(const Model& model, State& state, Vec3f point, Vec3f momentum) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contact of nodes with solid things that move as they please. A node that would go through a surface in this step gets
-// a constraint for this step: along the normal n it leaves with v' = -k_r v_n where it comes in faster than
-// `rebound_from`, else it stops at the surface; along the surface it is free [Shapira 2009]. A node that its contact
-// had to hold back, so that it would have left by itself, is let go in the next step (State::is_pulled).
+// a constraint for this step: along the normal n it leaves at least with v' = -k_r v_n where it comes in faster than
+// `rebound_from`, else it stops at the surface; along the surface it is free [Shapira 2009]. Contacts push and never
+// pull: one that the rest of the body keeps from getting there lets go while the step is solved.
 #pragma once
 #include "solver/carrier.h"
 #include "solver/step.h"
@@ -43,16 +43,13 @@ struct ContactCounts {
     std::size_t written = 0;  // less where `room` was too small
 };
 
-// Writes a plane constraint, in the frame, for every node in contact that is not locked and whose `is_taken` (N) is 0,
-// and sets that. Of several obstacles the deepest counts. Where an obstacle comes through a boundary face between its
-// nodes, at the middle of the face or of an edge, the nodes there are held as if they touched. `pull` is gravity in the
-// frame.
+// Writes a contact constraint, in the frame, for every node in contact that is not locked and whose `is_taken` (N) is
+// 0, and sets that. Of several obstacles the deepest counts. Where an obstacle comes through a boundary face between
+// its nodes, at the middle of the face or of an edge, the nodes there are held as if they touched. `pull` is gravity in
+// the frame.
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
                             std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
                             std::span<Constraint> room);
-
-// After the step: which of the contacts held their nodes back.
-void note_pulled(const Model& model, State& state, const Workspace& workspace, std::span<const Constraint> contacts);
 
 // A blow: momentum at a place of the body.
 struct Hit {

@@ -150,7 +150,7 @@ int crumple_is_asleep(const crumple_instance* instance);
 
 /* ---- A step. ---- */
 
-enum { CRUMPLE_FIXED, CRUMPLE_ON_PLANE, CRUMPLE_ON_RAIL };
+enum { CRUMPLE_FIXED, CRUMPLE_ON_PLANE, CRUMPLE_ON_RAIL, CRUMPLE_IN_CONTACT };
 typedef struct crumple_constraint {
     uint32_t node;
     uint8_t kind;

@@ -8,8 +8,6 @@
 namespace crumple::solver {
 namespace {
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 // c[0] + c[1] t + c[2] t^2 + c[3] t^3
 using Cubic = std::array<double, 4>;
 
@@ -28,13 +26,21 @@ Cubic volume_on_the_way(const CollapsePath& path, double level) {
             det(a[0], d[1], d[2]) + det(d[0], a[1], d[2]) + det(d[0], d[1], a[2]), det(d[0], d[1], d[2])};
 }
 
-double bisect(const Cubic& c, double low, double high) {
+// The root between two places of opposite sign with no turning point between them: Newton's steps, halving where one
+// leaves the bracket.
+double root_between(const Cubic& c, double low, double high) {
     const bool is_low_positive = value_at(c, low) > 0;
+    double t = 0.5 * (low + high);
     for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (value_at(c, middle) > 0) == is_low_positive ? low = middle : high = middle;
+        const double value = value_at(c, t);
+        (value > 0) == is_low_positive ? low = t : high = t;
+        double next = t - value / ((3 * c[3] * t + 2 * c[2]) * t + c[1]);
+        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        const double change = std::fabs(next - t);
+        t = next;
+        if (change <= 1e-12) break;
     }
-    return high;
+    return t;
 }
 
 // Where the slope of the cubic vanishes inside (0, 1), in rising order; returns how many.
@@ -94,7 +100,7 @@ double collapse_time(const CollapsePath& path) {
     double low = 0;
     for (int i = 0; i <= count; ++i) {
         const double high = i < count ? turns[i] : 1;
-        if (!(value_at(c, high) > 0)) return bisect(c, low, high);
+        if (!(value_at(c, high) > 0)) return root_between(c, low, high);
         low = high;
     }
     return 1;

@@ -9,17 +9,6 @@
 namespace crumple::solver {
 namespace {
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
-struct Momentum {
-    Vec3 linear;
-    Vec3 angular;
-};
-
-Momentum momentum_of(const Model& model, const State& state) {
-    return {linear_momentum(model, state), angular_momentum(model, state)};
-}
-
 Vec3f pull_on(const InstanceInput& input, const Frame& frame) {
     return frame.vector(input.gravity - (input.has_inertia ? input.carrier.acceleration : Vec3{}));
 }
@@ -97,13 +86,28 @@ Vec3 turned(Vec3 v, Vec3 turn) {
     return v * std::cos(angle) + cross(n, v) * std::sin(angle) + n * (dot(n, v) * (1 - std::cos(angle)));
 }
 
-CarrierLoad load_of(const Frame& frame, const InstanceInput& input, const Momentum& before, const Momentum& after,
-                    const Momentum& given) {
-    // Seen from the world the momentum relative to the frame also turns with the frame.
+// How much faster the rigid body will turn for it, if its mass lies as the nodes' did at rest.
+Vec3 turn_by(const Model& model, const InstanceInput& input, const Six& push) {
+    PointMasses nodes;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        nodes.add(static_cast<double>(model.bundle.mass[node]), widen(model.bundle.rest_positions[node]));
+    }
+    const double more = std::max(1.0, input.carrier_mass / nodes.mass());
+    return angular_part(times(inverse_of(nodes.matrix(), 1e-12), push)) / more;
+}
+
+CarrierLoad load_of(const Model& model, const Frame& frame, const InstanceInput& input, const Six& before,
+                    const Six& after, const Six& given) {
     const double dt = static_cast<double>(input.dt);
-    const Vec3 turn = widen(frame.vector(input.carrier.angular_velocity)) * dt;
-    const Vec3 force = (given.linear - (turned(after.linear, turn) - before.linear)) / dt;
-    const Vec3 torque = (given.angular - (turned(after.angular, turn) - before.angular)) / dt;
+    Six push = given;
+    add_to(push, 1, before);
+    Six still = push;
+    add_to(still, -1, after);
+    // Seen from the world the momentum relative to the frame also turns with the frame, by its new velocity.
+    Vec3 turn = widen(frame.vector(input.carrier.angular_velocity));
+    if (input.is_carrier_free) turn += turn_by(model, input, still);
+    const Vec3 force = (linear_part(push) - turned(linear_part(after), turn * dt)) / dt;
+    const Vec3 torque = (angular_part(push) - turned(angular_part(after), turn * dt)) / dt;
     return {frame.to_world(force), frame.to_world(torque)};
 }
 
@@ -122,14 +126,13 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
     if (report.is_asleep) return report;
     if (is_asleep(state)) wake(state);
 
-    const Momentum before = momentum_of(model, state);
-    Momentum given;
+    const Six before = momentum_of(model, state);
+    Six given{};
     for (const Hit& hit : input.hits) {
         const Vec3f point = frame.point(hit.position);
         const Vec3f momentum = frame.vector(hit.momentum);
         strike(model, state, point, momentum);
-        given.linear += widen(momentum);
-        given.angular += cross(widen(point), widen(momentum));
+        add_to(given, 1, push_at(widen(point), widen(momentum)));
     }
     StepInput step_input;
     step_input.dt = input.dt;
@@ -149,10 +152,10 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
     step_input.forces = input.forces;
     step_input.constraints = input.room.first(fill_room(model, state, w, input, frame, report));
     report.step = step(model, state, w, step_input, settings, jobs);
-    note_pulled(model, state, w, step_input.constraints.last(report.contacts));
-    given.linear += report.step.impulse;
-    given.angular += report.step.angular_impulse;
-    report.load = load_of(frame, input, before, momentum_of(model, state), given);
+    const Vec3 impulse = report.step.impulse;
+    const Vec3 angular = report.step.angular_impulse;
+    add_to(given, 1, {impulse.x, impulse.y, impulse.z, angular.x, angular.y, angular.z});
+    report.load = load_of(model, frame, input, before, momentum_of(model, state), given);
     watch_sleep(model, state, input, report.step, step_input.gravity);
     return report;
 }

@@ -18,7 +18,8 @@ struct InstanceInput {
     float dt = 1.0f / 60;
     CarrierMotion carrier;
     // A free carrier gives way in the step that pushes it: give its mass, nodes included, or 0 where the nodes are all
-    // of it, and move it by the load before the next step. Else it goes its way, as if without end of mass.
+    // of it. Before the next step give it the load's change of velocity, then move it with the new velocity. Else it
+    // goes its way, as if without end of mass.
     bool is_carrier_free = true;
     double carrier_mass = 0;
     // The carrier's acceleration and turning throw the nodes about: of a free one, what others than this body do to it.

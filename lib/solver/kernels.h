@@ -78,6 +78,25 @@ struct SolveJob {
     float* product;    // q = A p
 };
 
+// The rigid motions of the whole, see rigid_modes.h. Over nodes.
+inline constexpr std::size_t mode_floats = 24;  // three axes of six columns and two zeros
+struct ModeJob {
+    const Index* row_start;
+    const Index* column;
+    const float* blocks;
+    const float* positions;
+    float* rows;           // N x 24: A Z
+    const float* precise;  // z
+    float* direction;      // p
+};
+// Minus a rigid motion, as what is added for one and for each coordinate; four times over, for vectors of four nodes.
+struct RigidField {
+    alignas(64) float constant[16];
+    alignas(64) float by_x[16];
+    alignas(64) float by_y[16];
+    alignas(64) float by_z[16];
+};
+
 // Drawn vertices. Over the vertices of a visual mesh. Null where there are no normals or tangents.
 struct SkinJob {
     const Tet* tets;
@@ -109,6 +128,9 @@ struct Kernels {
     double (*descend)(const SolveJob&, float a, std::size_t begin, std::size_t end);  // dv += a p ...: r . z
     void (*turn)(const SolveJob&, float b, std::size_t begin, std::size_t end);       // p = z + b p
     void (*skin)(const SkinJob&, std::size_t begin, std::size_t end);
+    void (*multiply_modes)(const ModeJob&, std::size_t begin, std::size_t end);          // A Z
+    void (*dot_modes)(const ModeJob&, std::size_t begin, std::size_t end, float* sums);  // (A Z)^T z: 8 sums
+    void (*subtract_motion)(const ModeJob&, const RigidField&, std::size_t begin, std::size_t end);  // p -= Z mu
 };
 
 // What the processor can run, at most `wanted`.

@@ -10,6 +10,7 @@
 #include "solver/kernel_rotation.h"
 
 #include "solver/kernel_elements.h"
+#include "solver/kernel_modes.h"
 #include "solver/kernel_nodes.h"
 #include "solver/kernel_skin.h"
 
@@ -18,6 +19,6 @@ namespace crumple::solver {
 const Kernels avx2_kernels = {
     avx2::step_elements, avx2::elastic_energies, avx2::extract_rotations, avx2::gather_loads, avx2::assemble_edges,
     avx2::finish_rows,   avx2::multiply,         avx2::product_dot,       avx2::start,        avx2::descend,
-    avx2::turn,          avx2::skin_vertices};
+    avx2::turn,          avx2::skin_vertices,    avx2::multiply_modes,    avx2::dot_modes,    avx2::subtract_motion};
 
 }

@@ -10,6 +10,7 @@
 #include "solver/kernel_rotation.h"
 
 #include "solver/kernel_elements.h"
+#include "solver/kernel_modes.h"
 #include "solver/kernel_nodes.h"
 #include "solver/kernel_skin.h"
 
@@ -26,6 +27,9 @@ const Kernels avx512_kernels = {avx512::step_elements,
                                 avx512::start,
                                 avx512::descend,
                                 avx512::turn,
-                                avx512::skin_vertices};
+                                avx512::skin_vertices,
+                                avx512::multiply_modes,
+                                avx512::dot_modes,
+                                avx512::subtract_motion};
 
 }

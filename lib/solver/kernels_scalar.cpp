@@ -10,6 +10,7 @@
 #include "solver/kernel_rotation.h"
 
 #include "solver/kernel_elements.h"
+#include "solver/kernel_modes.h"
 #include "solver/kernel_nodes.h"
 #include "solver/kernel_skin.h"
 
@@ -26,6 +27,9 @@ const Kernels scalar_kernels = {scalar::step_elements,
                                 scalar::start,
                                 scalar::descend,
                                 scalar::turn,
-                                scalar::skin_vertices};
+                                scalar::skin_vertices,
+                                scalar::multiply_modes,
+                                scalar::dot_modes,
+                                scalar::subtract_motion};
 
 }

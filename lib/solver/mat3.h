@@ -49,6 +49,12 @@ struct Mat3T {
 };
 
 using Mat3 = Mat3T<float>;
+using Mat3d = Mat3T<double>;
+
+[[nodiscard]] inline Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
+[[nodiscard]] inline Vec3f narrow(Vec3 a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
 
 template <class T>
 constexpr Mat3T<T> transpose(const Mat3T<T>& a) {

@@ -6,8 +6,6 @@
 namespace crumple::solver {
 namespace {
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 double strain_energy(const TetPacket& packet, const TetState& state, std::size_t lane, const Mat3& f, const Mat3& r) {
     const Mat3 s = transpose(r) * f;
     const int rows[6] = {0, 1, 2, 0, 0, 1};
@@ -84,21 +82,17 @@ double elastic_energy(const Model& model, const State& state, EnergyRotation whi
     return energy;
 }
 
-Vec3 linear_momentum(const Model& model, const State& state) {
-    Vec3 sum;
+Six momentum_of(const Model& model, const State& state) {
+    Six sum{};
     for (std::size_t node = 0; node < model.node_count; ++node) {
-        sum += widen(velocity(state, node)) * static_cast<double>(model.bundle.mass[node]);
+        const Vec3 v = widen(velocity(state, node)) * static_cast<double>(model.bundle.mass[node]);
+        add_to(sum, 1, push_at(widen(position(state, node)), v));
     }
     return sum;
 }
 
-Vec3 angular_momentum(const Model& model, const State& state) {
-    Vec3 sum;
-    for (std::size_t node = 0; node < model.node_count; ++node) {
-        sum += cross(widen(position(state, node)), widen(velocity(state, node))) *
-               static_cast<double>(model.bundle.mass[node]);
-    }
-    return sum;
-}
+Vec3 linear_momentum(const Model& model, const State& state) { return linear_part(momentum_of(model, state)); }
+
+Vec3 angular_momentum(const Model& model, const State& state) { return angular_part(momentum_of(model, state)); }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads quantities off a state, in double: for tests, reports and whoever watches a run.
 #pragma once
+#include "solver/rigid_motion.h"
 #include "solver/state.h"
 
 namespace crumple::solver {
@@ -21,5 +22,8 @@ enum class EnergyRotation { nearest, of_state };
 
 [[nodiscard]] Vec3 linear_momentum(const Model& model, const State& state);
 [[nodiscard]] Vec3 angular_momentum(const Model& model, const State& state);  // about the origin
+
+// Momentum and angular momentum of the nodes, in the frame, about its origin.
+[[nodiscard]] Six momentum_of(const Model& model, const State& state);
 
 }

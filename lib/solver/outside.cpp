@@ -9,8 +9,6 @@ namespace {
 // Corners of the faces opposite to corners 0..3, counter-clockwise from outside in a positive tet.
 constexpr std::size_t face_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 bool is_zero(Vec3f a) { return a == Vec3f{}; }
 
 struct Face {
@@ -54,6 +52,15 @@ Vec3f outside_force(const Model& model, const State& state, const StepInput& inp
     return push - inertia * mass;
 }
 
+Six outside_push(const Model& model, const State& state, const StepInput& input, const WindPush& wind) {
+    Six push = wind.push;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        const Vec3 force = widen(outside_force(model, state, input, node));
+        add_to(push, static_cast<double>(input.dt), push_at(widen(position(state, node)), force));
+    }
+    return push;
+}
+
 WindPush add_wind(const Model& model, const State& state, Workspace& w, const Wind& wind, float dt) {
     WindPush total;
     for (std::size_t tet = 0; tet < model.tet_count; ++tet) {
@@ -67,8 +74,7 @@ WindPush add_wind(const Model& model, const State& state, Workspace& w, const Wi
                 const double mass = model.bundle.mass[node];
                 const Vec3 impulse = widen(third);
                 if (mass > 0) total.work += dot(impulse, widen(velocity(state, node)) + impulse * (0.5 / mass));
-                total.impulse += impulse;
-                total.angular_impulse += cross(widen(position(state, node)), impulse);
+                add_to(total.push, 1, push_at(widen(position(state, node)), impulse));
             }
         }
     }

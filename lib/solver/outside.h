@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What pushes the nodes besides the tets: gravity, the caller's forces, the inertia of a turning frame, wind.
 #pragma once
+#include "solver/rigid_motion.h"
 #include "solver/step.h"
 
 namespace crumple::solver {
@@ -9,10 +10,13 @@ namespace crumple::solver {
 // 2 w x v); gravity already holds what its acceleration adds.
 [[nodiscard]] Vec3f outside_force(const Model& model, const State& state, const StepInput& input, std::size_t node);
 
+// What all of that, and wind, does to the momentum of the nodes in this step, N s and N m s about the origin.
+struct WindPush;
+[[nodiscard]] Six outside_push(const Model& model, const State& state, const StepInput& input, const WindPush& wind);
+
 struct WindPush {
-    double work = 0;       // J during this step, at most
-    Vec3 impulse;          // N s
-    Vec3 angular_impulse;  // N m s about the origin
+    double work = 0;  // J during this step, at most
+    Six push{};       // N s and N m s about the origin
 };
 
 // Adds dt times the wind's force on the boundary to Workspace::outside:

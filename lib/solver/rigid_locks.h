@@ -4,28 +4,16 @@
 // solve has six unknowns more, the change of the carrier's velocity and turning during the step, and what the locked
 // nodes do is T = [I, -[x]] of them: conjugate gradients on T^T A T, symmetric and positive definite as before.
 #pragma once
-#include <array>
-
+#include "solver/rigid_motion.h"
 #include "solver/step.h"
 
 namespace crumple::solver {
 
-using Six = std::array<double, 6>;  // velocity, angular velocity (or their duals) in the frame, about its origin
-
-[[nodiscard]] inline double dot6(const Six& a, const Six& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-[[nodiscard]] inline Vec3 rigid_velocity(const Six& v, Vec3 x) {
-    return Vec3{v[0], v[1], v[2]} + cross(Vec3{v[3], v[4], v[5]}, x);
-}
-
 struct RigidLocks {
     bool is_active = false;
-    std::array<double, 36> inverse{};   // of T^T A T, the carrier's own mass in it
-    std::array<double, 36> own_mass{};  // what the carrier weighs beside the nodes
+    Matrix6 inverse{};   // of T^T A T, the carrier's own mass in it
+    Matrix6 own_mass{};  // what the carrier weighs beside the nodes
+    Six fall{};          // what gravity gives it in a step
     Six residual{}, precise{}, direction{}, product{}, change{};
 };
 
@@ -34,10 +22,13 @@ struct RigidLocks {
 [[nodiscard]] RigidLocks make_rigid_locks(const Model& model, const Workspace& workspace, double carrier_mass,
                                           Vec3f fall);
 
-// The rigid motion that fits best the change of velocity the step's constraints on loose nodes ask for, of its first
-// guess. Before velocities meet their constraints. False where they ask for none.
-[[nodiscard]] bool fit_jump(const Model& model, const State& state, const Workspace& workspace, const StepInput& input,
-                            Six& jump);
+// Whether a node moves with the carrier: it is locked, and no constraint of this step says otherwise.
+[[nodiscard]] inline bool is_carried(const Model& model, const Workspace& w, std::size_t node) {
+    return model.bundle.locked[node] && w.constraint[node] == 0;
+}
+
+// T^T of the carried rows of `rows`, which are then 0.
+[[nodiscard]] Six take_carried(const Model& model, const Workspace& workspace, std::span<float> rows);
 
 // The parts of the solve that touch locked rows; each does nothing when not active.
 void start_rigid(RigidLocks& rigid, const Model& model, Workspace& workspace);  // r_R += T^T load; their rows of r: 0

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Preconditioned conjugate gradients with the inverse diagonal blocks as preconditioner, on what constraints leave
-// free.
+// Preconditioned conjugate gradients with the inverse diagonal blocks as preconditioner, on what constraints and
+// contacts leave free, the rigid motions of a free body solved for exactly.
 #pragma once
 #include "solver/rigid_locks.h"
+#include "solver/rigid_modes.h"
+#include "solver/rigid_response.h"
 #include "solver/step.h"
 
 namespace crumple::solver {
+
+// What moves as a whole.
+struct Whole {
+    RigidLocks locks;
+    RigidResponse response;  // where no node is fixed
+};
 
 struct Solved {
     std::uint32_t iterations = 0;
@@ -16,15 +24,9 @@ struct Solved {
 
 [[nodiscard]] SolveJob solve_job(const Model& model, Workspace& workspace);
 
-// What conjugate gradients would take many iterations to find: that a body that is hit moves as a whole.
-struct FirstGuess {
-    bool is_given = false;
-    Six motion{};  // of which the solve takes the best multiple
-};
-
-// Solves A change = load, together with the motion of the locks where `rigid` is active. REQUIRES: blocks, inverse,
-// load and the constraints of the workspace are filled.
+// Solves A change = load, together with the motion of the locks. REQUIRES: blocks, inverse, load and the constraints of
+// the workspace are filled.
 Solved solve(const Model& model, Workspace& workspace, std::size_t partial_count, const Settings& settings,
-             const State& state, const FirstGuess& guess, RigidLocks& rigid, const Kernels& kernels, const Jobs& jobs);
+             const State& state, Whole& whole, const Kernels& kernels, const Jobs& jobs);
 
 }

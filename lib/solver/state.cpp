@@ -19,41 +19,50 @@ State take_state(const Model& model, Plasticity plasticity, Arena& arena) {
     state.positions = arena.take<float>(4 * padded_nodes(model));
     state.velocities = arena.take<float>(4 * padded_nodes(model));
     state.moved = arena.take<float>(model.node_count);
-    state.is_pulled = arena.take<std::uint8_t>(model.node_count);
     state.tets = arena.take<TetState>(model.packets.size());
     if (plasticity == Plasticity::multiplicative) state.shapes = arena.take<TetShape>(model.packets.size());
     return state;
+}
+
+// What is written only when the blocks are assembled, so that the gradients they came from may go.
+void take_solve(const Model& model, Workspace& w, Arena& arena) {
+    const std::size_t node_count = padded_nodes(model);
+    w.mode_rows = arena.take<float>(mode_floats * node_count);
+    w.partials = arena.take<Partial>(model.node_count);
+    w.inverse = arena.take<float>(12 * node_count);
+    w.change = arena.take<float>(4 * node_count);
+    w.residual = arena.take<float>(4 * node_count);
+    w.precise = arena.take<float>(4 * node_count);
+    w.direction = arena.take<float>(4 * node_count);
+    w.product = arena.take<float>(4 * node_count);
 }
 
 Workspace take_workspace(const Model& model, Arena& arena) {
     const std::size_t node_count = padded_nodes(model);
     const std::size_t corner_floats = model.packets.size() * packet_size * 16;
     Workspace w;
-    const auto gradients =
-        arena.take<std::byte>(std::max(corner_floats * sizeof(float), model.node_count * sizeof(Partial)));
-    if (!gradients.empty()) {
-        w.gradients = {reinterpret_cast<float*>(gradients.data()), corner_floats};
-        w.partials = {reinterpret_cast<Partial*>(gradients.data()), model.node_count};
+    Arena of_solve;
+    take_solve(model, w, of_solve);
+    const auto before_solve = arena.take<std::byte>(std::max(corner_floats * sizeof(float), of_solve.used()));
+    if (!before_solve.empty()) {
+        w.gradients = {reinterpret_cast<float*>(before_solve.data()), corner_floats};
+        of_solve = Arena(before_solve);
+        take_solve(model, w, of_solve);
     }
-    const auto shared = arena.take<float>(std::max(corner_floats, 9 * model.block_count));
-    if (!shared.empty()) {
-        w.forces = shared.first(corner_floats);
-        w.blocks = shared.first(9 * model.block_count);
+    const auto before_blocks = arena.take<float>(std::max(corner_floats, 9 * model.block_count));
+    if (!before_blocks.empty()) {
+        w.forces = before_blocks.first(corner_floats);
+        w.blocks = before_blocks.first(9 * model.block_count);
     }
-    w.inverse = arena.take<float>(12 * node_count);
     w.load = arena.take<float>(4 * node_count);
-    w.change = arena.take<float>(4 * node_count);
-    w.residual = arena.take<float>(4 * node_count);
-    w.precise = arena.take<float>(4 * node_count);
-    w.direction = arena.take<float>(4 * node_count);
-    w.product = arena.take<float>(4 * node_count);
-    w.outside = w.product;
+    w.outside = w.load;
     w.damped_mass = arena.take<float>(node_count);
     w.is_fixed = arena.take<std::uint8_t>(node_count);
     w.constraint = arena.take<Index>(node_count);
     w.materials = arena.take<StepMaterial>(model.materials.size());
     w.sums = arena.take<double>(node_count / nodes_per_piece + 1);
     w.raised = arena.take<std::uint32_t>(node_count / nodes_per_piece + 1);
+    w.mode_sums = arena.take<float>(8 * (node_count / nodes_per_piece + 1));
     w.counts = arena.take<ElementCounts>(model.packets.size() / packets_per_piece + 1);
     return w;
 }

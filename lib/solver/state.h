@@ -25,12 +25,11 @@ struct StateHeader {
 
 struct State {
     StateHeader* header = nullptr;
-    std::span<float> positions;         // N x 4, metres; the fourth is 0. Room for a multiple of four nodes
-    std::span<float> velocities;        // N x 4, m/s
-    std::span<float> moved;             // N, metres travelled since the drawn vertices were last taken (see skin.h)
-    std::span<std::uint8_t> is_pulled;  // N: see contact.h
-    std::span<TetState> tets;           // packets
-    std::span<TetShape> shapes;         // packets, empty unless the plasticity is multiplicative
+    std::span<float> positions;   // N x 4, metres; the fourth is 0. Room for a multiple of four nodes
+    std::span<float> velocities;  // N x 4, m/s
+    std::span<float> moved;       // N, metres travelled since the drawn vertices were last taken (see skin.h)
+    std::span<TetState> tets;     // packets
+    std::span<TetShape> shapes;   // packets, empty unless the plasticity is multiplicative
 };
 
 [[nodiscard]] std::size_t state_bytes(const Model& model, Plasticity plasticity);
@@ -58,31 +57,36 @@ inline void set_velocity(State& state, std::size_t node, Vec3f v) {
 // What a constraint leaves free of a node: all but the directions `taken` and, where there is a second, `also_taken`.
 struct Partial {
     Index node;
-    int taken_count;  // 1: plane, 2: rail
+    int taken_count;  // 1: plane or a contact that holds, 2: rail, 0: a contact that lets go
     Vec3f taken;
     Vec3f also_taken;
+    bool is_contact;
+    float least;  // of a contact: m/s along `taken`
 };
 
 struct Workspace {
-    std::span<float> gradients;        // packets x 16 x 16; shares memory with partials, which are listed later
-    std::span<float> forces;           // packets x 16 x 16; shares memory with blocks, which are written later
-    std::span<float> blocks;           // B x 9
+    // Until the blocks are assembled. Its memory is then that of what follows, up to `product`.
+    std::span<float> gradients;        // packets x 16 x 16
+    std::span<float> mode_rows;        // N x 24, see rigid_modes.h
+    std::span<Partial> partials;       // N, the first partial_count are used
     std::span<float> inverse;          // see inverse_at()
-    std::span<float> outside;          // N x 4, shares memory with product
-    std::span<float> load;             // N x 4
     std::span<float> change;           // N x 4
     std::span<float> residual;         // N x 4
     std::span<float> precise;          // N x 4
     std::span<float> direction;        // N x 4
     std::span<float> product;          // N x 4
+    std::span<float> forces;           // packets x 16 x 16; its memory is then that of blocks
+    std::span<float> blocks;           // B x 9
+    std::span<float> outside;          // N x 4; its memory is then that of load
+    std::span<float> load;             // N x 4
     std::span<float> damped_mass;      // N
     std::span<std::uint8_t> is_fixed;  // N
     std::span<Index> constraint;       // N: 1 + row of the step's constraints, 0 for none
-    std::span<Partial> partials;       // N, the first partial_count are used
     std::span<StepMaterial> materials;
     std::span<double> sums;           // one a piece
     std::span<ElementCounts> counts;  // one a piece
     std::span<std::uint32_t> raised;  // one a piece of nodes
+    std::span<float> mode_sums;       // eight a piece of nodes
 };
 
 [[nodiscard]] std::size_t workspace_bytes(const Model& model);

@@ -113,9 +113,7 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const Kernels& wide = kernels(best_isa(settings.isa));
     const ConstraintCounts constraints = gather_constraints(model, workspace, input);
     const double kinetic = kinetic_energy(model, state);
-    FirstGuess guess;
-    // Where nodes stand fast a motion of the whole is no guess.
-    if (constraints.fixed == 0) guess.is_given = fit_jump(model, state, workspace, input, guess.motion);
+    const Six momentum = momentum_of(model, state);
     start_velocities(model, state, workspace, input);
     const WindPush wind = input.wind ? add_wind(model, state, workspace, *input.wind, input.dt) : WindPush{};
     const ElementJob elements = element_job(model, state, workspace, input, settings);
@@ -124,13 +122,21 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const bool is_too_stiff = assemble(model, workspace, wide, jobs);
     list_partials(model, workspace, input);
     constrain_inverse(model, workspace, constraints.partial);
-    RigidLocks rigid;
+    Whole whole;
     if (input.has_free_carrier)
-        rigid = make_rigid_locks(model, workspace, input.carrier_mass, input.gravity * input.dt);
-    const Solved solved = solve(model, workspace, constraints.partial, settings, state, guess, rigid, wide, jobs);
-    restrain(model, state, workspace, constraints, solved, rigid, wide, jobs);
-    const Ledger ledger{kinetic + counts.energy, wind.work};
-    const Advanced end = advance(model, state, workspace, input, constraints, elements, ledger, rigid, wide, jobs);
+        whole.locks = make_rigid_locks(model, workspace, input.carrier_mass, input.gravity * input.dt);
+    // Where nodes stand fast the body does not move as a whole.
+    if (constraints.fixed == 0) {
+        Six moving = outside_push(model, state, input, wind);
+        add_to(moving, 1, momentum);
+        add_to(moving, 1, whole.locks.fall);
+        whole.response = respond_rigidly(model, state, input, workspace, workspace.partials.first(constraints.partial),
+                                         whole.locks, moving);
+    }
+    const Solved solved = solve(model, workspace, constraints.partial, settings, state, whole, wide, jobs);
+    restrain(model, state, workspace, constraints, solved, whole, wide, jobs);
+    const Ledger ledger{kinetic + counts.energy, momentum, wind};
+    const Advanced end = advance(model, state, workspace, input, constraints, elements, ledger, whole, wide, jobs);
 
     state.header->last_dt = input.dt;
     ++state.header->step_count;
@@ -139,10 +145,10 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     report.degenerate = counts.degenerate;
     report.yielding = counts.yielding;
     report.energy = end.energy;
-    report.impulse = end.impulse + wind.impulse;
-    report.angular_impulse = end.angular_impulse + wind.angular_impulse;
-    report.carrier_velocity = {rigid.change[0], rigid.change[1], rigid.change[2]};
-    report.carrier_turn = {rigid.change[3], rigid.change[4], rigid.change[5]};
+    report.impulse = end.impulse;
+    report.angular_impulse = end.angular_impulse;
+    report.carrier_velocity = linear_part(whole.locks.change);
+    report.carrier_turn = angular_part(whole.locks.change);
     if (end.is_cut) report.warnings |= step_restrained;
     if (is_too_stiff || solved.is_too_stiff) report.warnings |= step_too_stiff;
     if (end.has_overflowed || solved.has_overflowed) report.warnings |= step_not_finite;

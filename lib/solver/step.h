@@ -45,9 +45,10 @@ void describe(Visitor& visit, S& s) {
 }
 
 enum class ConstraintKind : std::uint8_t {
-    fixed,  // moves with `velocity`
-    plane,  // its velocity along `normal` is that of `velocity`, the rest is free
-    rail,   // and along `second` too
+    fixed,    // moves with `velocity`
+    plane,    // its velocity along `normal` is that of `velocity`, the rest is free
+    rail,     // and along `second` too
+    contact,  // its velocity along `normal` is at least that of `velocity`: it is pushed, never pulled
 };
 
 // Air over the boundary, in the frame of the positions.

@@ -49,10 +49,13 @@ solver::CarrierMotion RigidBody::motion() const {
     return m;
 }
 
+// Velocities first: the solver counts on it, for where a node goes is its new velocity plus that of the frame.
 void RigidBody::step(const solver::CarrierLoad& load, Vec3 gravity, double dt) {
     spin_ += (load.torque - cross(arm(), load.force)) * dt;
-    position_ += velocity_ * dt;
     velocity_ += (load.force / mass_ + gravity) * dt;
+    const Mat3d before = rotation_of(orientation_);
+    angular_velocity_ = inverse(before * inertia_ * transpose(before)) * spin_;
+    position_ += velocity_ * dt;
     const double angle = length(angular_velocity_) * dt;
     if (angle > 0) {
         const Vec3 n = angular_velocity_ * (std::sin(angle / 2) * dt / angle);
