@@ -194,6 +194,53 @@ Vec3 row_of(const Eigen::VectorXd& all, std::size_t i) {
     return plain(Vector3d(all.segment<3>(3 * static_cast<Eigen::Index>(i))));
 }
 
+void add_to_slots(const Bundle& b, std::size_t tet, const Stiffness& k, std::vector<double>& blocks) {
+    for (std::size_t slot = 0; slot < 16; ++slot) {
+        const auto i = static_cast<Eigen::Index>(slot / 4), j = static_cast<Eigen::Index>(slot % 4);
+        Eigen::Map<Matrix3d> block(&blocks[9 * static_cast<std::size_t>(b.element_slots[tet][slot])]);
+        block += k.block<3, 3>(3 * i, 3 * j);
+    }
+}
+
+// Green's strain E = (F^T F - I) / 2, P = F (lambda tr(E) I + 2 mu E): adds the forces -V P g_i, and their derivatives
+// with the sign turned, to the blocks.
+void add_green(const Body& body, std::size_t tet, std::vector<Vec3>& forces, std::vector<double>& blocks) {
+    const Bundle& b = *body.bundle;
+    const auto [lambda, mu] = lame_of(b, tet);
+    const double volume = volume_of(b, tet);
+    const Gradients g = gradients_of(b, tet);
+    const Matrix3d f = eigen(deformation_gradient(body, tet));
+    const auto stress_of = [l = lambda, m = mu](const Matrix3d& e) {
+        return Matrix3d(l * e.trace() * Matrix3d::Identity() + 2 * m * e);
+    };
+    const Matrix3d stress = stress_of(0.5 * (f.transpose() * f - Matrix3d::Identity()));
+    const Gradients pull = volume * f * stress * g;
+    for (int i = 0; i < 4; ++i) forces[b.tets[tet][static_cast<std::size_t>(i)]] += plain(Vector3d(-pull.col(i)));
+    Stiffness k;
+    for (int column = 0; column < 12; ++column) {
+        const Matrix3d df = Vector3d::Unit(column % 3) * g.col(column / 3).transpose();
+        const Matrix3d strain = 0.5 * (f.transpose() * df + df.transpose() * f);
+        const Gradients change = volume * (df * stress + f * stress_of(strain)) * g;
+        k.col(column) = Eigen::Map<const Eigen::Matrix<double, 12, 1>>(change.data());
+    }
+    add_to_slots(b, tet, k, blocks);
+}
+
+// Moves the free nodes and returns how far, as a part of the whole way from rest.
+double move_free(Body& body, const std::vector<double>& blocks, const std::vector<Vec3>& right) {
+    const Bundle& b = *body.bundle;
+    const Eigen::VectorXd move = solve_free(sparse_of(b, blocks), stacked(right), b.locked,
+                                            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * right.size())));
+    double way = 0;
+    for (std::size_t n = 0; n < right.size(); ++n) {
+        body.positions[n] += row_of(move, n);
+        const Vec3f rest = b.rest_positions[n];
+        const Vec3 moved = body.positions[n] - Vec3{rest.x, rest.y, rest.z};
+        way += dot(moved, moved);
+    }
+    return way > 0 ? move.norm() / std::sqrt(way) : 0;
+}
+
 // Elastic forces; turns `body.rotations` to the nearest ones and lets plastic strain flow on the way.
 std::vector<Vec3> update_elements(Body& body, const StepInput& input) {
     std::vector<Vec3> forces(body.positions.size());
@@ -236,12 +283,7 @@ std::vector<double> stiffness_by_slots(const Bundle& b, std::span<const Matrix3>
                                        std::span<const double> scale_of_tet) {
     std::vector<double> blocks(9 * b.column.size(), 0.0);
     for (std::size_t t = 0; t < b.solver_tet_count; ++t) {
-        const Stiffness k = scale_of_tet[t] * turned_stiffness(b, t, eigen(rotations[t]));
-        for (std::size_t slot = 0; slot < 16; ++slot) {
-            const auto i = static_cast<Eigen::Index>(slot / 4), j = static_cast<Eigen::Index>(slot % 4);
-            Eigen::Map<Matrix3d> block(&blocks[9 * static_cast<std::size_t>(b.element_slots[t][slot])]);
-            block += k.block<3, 3>(3 * i, 3 * j);
-        }
+        add_to_slots(b, t, scale_of_tet[t] * turned_stiffness(b, t, eigen(rotations[t])), blocks);
     }
     return blocks;
 }
@@ -286,26 +328,34 @@ std::vector<Vec3> step(Body& body, const StepInput& input) {
 
 std::optional<int> settle(Body& body, std::span<const Vec3> forces, double relative_tolerance, bool is_linear) {
     constexpr int max_steps = 2000;
-    const Bundle& b = *body.bundle;
     StepInput input;
     input.is_linear = is_linear;
     const std::vector<double> scale(body.rotations.size(), 1.0);
     for (int i = 0; i < max_steps; ++i) {
         std::vector<Vec3> right = update_elements(body, input);
         for (std::size_t n = 0; n < right.size(); ++n) right[n] += forces[n];
-        const Sparse k = sparse_of(b, stiffness_by_slots(b, body.rotations, scale));
-        const Eigen::VectorXd move =
-            solve_free(k, stacked(right), b.locked, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * right.size())));
-        double way = 0;
-        for (std::size_t n = 0; n < right.size(); ++n) {
-            body.positions[n] += row_of(move, n);
-            const Vec3f rest = b.rest_positions[n];
-            const Vec3 moved = body.positions[n] - Vec3{rest.x, rest.y, rest.z};
-            way += dot(moved, moved);
-        }
-        if (move.norm() <= relative_tolerance * std::sqrt(way)) return i;
+        const std::vector<double> blocks = stiffness_by_slots(*body.bundle, body.rotations, scale);
+        if (move_free(body, blocks, right) <= relative_tolerance) return i;
     }
     return std::nullopt;
+}
+
+std::optional<int> settle_by_green(Body& body, std::span<const Vec3> forces, double relative_tolerance,
+                                   int load_steps) {
+    constexpr int max_newton_steps = 50;
+    int steps = 0;
+    for (int part = 1; part <= load_steps; ++part) {
+        bool is_settled = false;
+        for (int i = 0; i < max_newton_steps && !is_settled; ++i, ++steps) {
+            std::vector<Vec3> right(forces.begin(), forces.end());
+            for (Vec3& f : right) f = f * (static_cast<double>(part) / load_steps);
+            std::vector<double> blocks(9 * body.bundle->column.size(), 0.0);
+            for (std::size_t t = 0; t < body.rotations.size(); ++t) add_green(body, t, right, blocks);
+            is_settled = move_free(body, blocks, right) <= relative_tolerance;
+        }
+        if (!is_settled) return std::nullopt;
+    }
+    return steps;
 }
 
 }

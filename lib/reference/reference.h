@@ -46,6 +46,11 @@ std::vector<Vec3> step(Body& body, const StepInput& input);
 std::optional<int> settle(Body& body, std::span<const Vec3> forces, double relative_tolerance = 1e-9,
                           bool is_linear = false);
 
+// The same for Green's strain and its conjugate stress (Saint Venant-Kirchhoff) instead of corotated strain: what other
+// programs mean by large displacements. The load comes in equal parts, each settled by Newton's method.
+[[nodiscard]] std::optional<int> settle_by_green(Body& body, std::span<const Vec3> forces,
+                                                 double relative_tolerance = 1e-9, int load_steps = 10);
+
 // The rotation nearest to F (row-major), the sign on the smallest singular value.
 [[nodiscard]] Matrix3 nearest_rotation(const Matrix3& f);
 
