@@ -50,6 +50,8 @@ std::string first_unplaced(const CLI::App& app, const std::vector<std::string>& 
 std::string explain_word(const CLI::App& app, const std::string& word) {
     const std::vector<const CLI::App*> chosen = chosen_apps(app);
     const std::string shown = "'" + report::shortened(word, report::longest_name) + "'";
+    // A single letter is like nothing.
+    if (word.starts_with("-") && word.size() == 2) return understood_call(app) + " has no option " + shown;
     if (word.starts_with("-")) {
         const std::string name = word.substr(0, word.find('='));
         return understood_call(app) + " has no option " + shown + "; nearest: '" +

@@ -5,6 +5,7 @@
 
 #include "bake/node_order.h"
 #include "core/error.h"
+#include "core/short_text.h"
 
 namespace crumple::bake {
 namespace {
@@ -81,15 +82,11 @@ void report_unused_locks(const Shell& shell, const TetMesh& mesh, const Bundle& 
     if (finding.count > 0) report.findings.push_back(std::move(finding));
 }
 
-std::string describe_place(Vec3f p) {
-    return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
-}
-
 // Throws when wanted holds a position that present does not. Both lexicographic.
 void require_all(const std::vector<Vec3f>& wanted, const std::vector<Vec3f>& present, const std::string& complaint) {
     for (const Vec3f p : wanted) {
         if (std::binary_search(present.begin(), present.end(), p, lexicographic_less<float>)) continue;
-        throw Error(ErrorKind::bad_input, "bake: " + complaint + ", first at " + describe_place(p) +
+        throw Error(ErrorKind::bad_input, "bake: " + complaint + ", first at " + position_text({p.x, p.y, p.z}) +
                                               "; import the shell again and run the stages from there");
     }
 }

@@ -8,6 +8,7 @@
 
 #include "bundle/exact_volume.h"
 #include "core/error.h"
+#include "core/short_text.h"
 
 namespace crumple::bake {
 namespace {
@@ -74,9 +75,8 @@ double inverse_error(const std::array<float, 9>& inverse, const Vec3f (&corner)[
 
 [[noreturn]] void refuse_size(Index mesh_tet, Vec3f place, const char* what) {
     throw Error(ErrorKind::bad_input, "bake: the " + std::string(what) + " of tet " + std::to_string(mesh_tet) +
-                                          " near (" + std::to_string(place.x) + ", " + std::to_string(place.y) + ", " +
-                                          std::to_string(place.z) +
-                                          ") does not fit into a float; check the unit of the shell");
+                                          " near " + position_text({place.x, place.y, place.z}) +
+                                          " does not fit into a float; check the unit of the shell");
 }
 
 float narrow_positive(double value, Index mesh_tet, Vec3f place, const char* what) {

@@ -69,7 +69,9 @@ void check_binding(const VisualBinding& binding, std::size_t tet_count) {
         const bool is_finite =
             std::all_of(weights.begin(), weights.end(), [](double w) { return std::fabs(w) < 1e30; });
         require(binding.tet[v] < tet_count && is_finite && binding.distance[v] >= 0 && binding.distance[v] < 1e30,
-                "vertex " + std::to_string(v) + " of '" + binding.name + "' is not bound to a tet");
+                "vertex " + std::to_string(v) + " of visual mesh '" + binding.name +
+                    "' is bound to no tet, or lies too far from all of them; is the mesh in the shell's unit (--unit) "
+                    "and place?");
     }
 }
 

@@ -225,7 +225,7 @@ std::vector<Finding> validate(const Bundle& bundle) {
         if (!complaints.empty()) return complaints.take();
     }
     for (const auto check : {check_node_order, check_locks, check_tet_geometry, check_tet_order, check_faces,
-                             check_masses, check_matrix, check_edges, check_visuals, check_sensors}) {
+                             check_masses, check_matrix, check_edges, check_visuals, check_sensors, check_names}) {
         check(bundle, complaints);
     }
     return complaints.take();

@@ -39,5 +39,6 @@ void check_matrix(const Bundle& bundle, Complaints& complaints);
 void check_edges(const Bundle& bundle, Complaints& complaints);
 void check_visuals(const Bundle& bundle, Complaints& complaints);
 void check_sensors(const Bundle& bundle, Complaints& complaints);
+void check_names(const Bundle& bundle, Complaints& complaints);
 
 }

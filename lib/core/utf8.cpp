@@ -17,4 +17,14 @@ std::size_t utf8_size(std::string_view text) {
     return overlong || surrogate_or_beyond ? 0 : size;
 }
 
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+    if (character.size() == 2) return (byte(0) == 0xc2 && byte(1) < 0xa0) || character == "\u061c";
+    if (character.size() != 3) return false;
+    const unsigned code = (byte(0) & 0x0fu) << 12 | (byte(1) & 0x3fu) << 6 | (byte(2) & 0x3fu);
+    const auto is_within = [&](unsigned first, unsigned last) { return code >= first && code <= last; };
+    return is_within(0x200e, 0x200f) || is_within(0x2028, 0x202e) || is_within(0x2066, 0x2069);
+}
+
 }

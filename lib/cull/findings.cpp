@@ -2,7 +2,8 @@
 #include "cull/findings.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/short_text.h"
 
 namespace crumple::cull {
 
@@ -13,12 +14,6 @@ constexpr double noticeable_volume_error = 0.01;
 constexpr double noticeable_stray = 0.015;
 constexpr double noticeable_leak = 0.02;
 
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-    return text;
-}
-
 Finding warning(std::string code, std::uint64_t count, std::string message) {
     return {std::move(code), Severity::warning, std::move(message), count, {}};
 }
@@ -27,14 +22,14 @@ void report_shape(std::vector<Finding>& findings, const Report& report, const Ev
     if (report.volume_error > noticeable_volume_error) {
         findings.push_back(
             warning("CULL_VOLUME", 1,
-                    "the tets hold " + percent(report.volume / report.shell_volume) +
+                    "the tets hold " + percent_text(report.volume / report.shell_volume) +
                         " of the solid's volume: triangles of the shell are missing from the tets; use finer "
                         "triangles where the shell is thin"));
     }
     const auto stray = [&](const char* code, double share, const Farthest& farthest, const std::string& what) {
         if (!(share > noticeable_stray)) return;
         Finding finding =
-            warning(code, 1, what + " by up to " + percent(share) + " of the diagonal; use finer triangles there");
+            warning(code, 1, what + " by up to " + percent_text(share) + " of the diagonal; use finer triangles there");
         finding.places.push_back({farthest.sample.position, none, {}});
         findings.push_back(std::move(finding));
     };
@@ -101,8 +96,8 @@ void report_losses(std::vector<Finding>& findings, const Report& report, const E
 
 void report_doubt(std::vector<Finding>& findings, const Report& report, const Evidence& evidence) {
     Finding open = warning("CULL_OPEN_SHELL", 0,
-                           "open components: the winding number decided what is inside; " + percent(report.leak_share) +
-                               " of the volume is undecided; close the holes");
+                           "open components: the winding number decided what is inside; " +
+                               percent_text(report.leak_share) + " of the volume is undecided; close the holes");
     for (Index c = 0; c < evidence.solid.is_closed.size(); ++c) {
         if (evidence.solid.is_closed[c]) continue;
         ++open.count;
@@ -111,7 +106,7 @@ void report_doubt(std::vector<Finding>& findings, const Report& report, const Ev
     if (open.count > 0) findings.push_back(std::move(open));
     if (report.leak_share > noticeable_leak) {
         findings.push_back(warning("CULL_LEAK", 1,
-                                   "inside and outside are not told apart in " + percent(report.leak_share) +
+                                   "inside and outside are not told apart in " + percent_text(report.leak_share) +
                                        " of the volume: close the shell's holes or give a sheet a thickness"));
     }
     if (!report.shell_volume_is_exact) {

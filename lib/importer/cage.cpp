@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/counted.h"
 #include "core/parallel_for.h"
+#include "core/short_text.h"
 #include "geometry/bvh.h"
 #include "geometry/predicates.h"
 #include "importer/lattice.h"
@@ -181,13 +182,11 @@ Box box_of(const Asset& asset) {
 }
 
 Finding describe(const Asset& asset, std::size_t old_components, std::size_t tets, double cell) {
-    char text[320];
-    std::snprintf(
-        text, sizeof text,
-        "a lattice of %zu tets in cubes of %.3g m takes the place of the shell's %zu components, whose names, "
-        "roles and colours are gone; %lld of its nodes are locked, around every locked vertex",
-        tets, cell, old_components,
-        static_cast<long long>(std::count(asset.shell.locked.begin(), asset.shell.locked.end(), 1)));
+    const auto locked = static_cast<std::uint64_t>(std::count(asset.shell.locked.begin(), asset.shell.locked.end(), 1));
+    const std::string text = "a lattice of " + std::to_string(tets) + " tets in cubes of " + short_text(cell) +
+                             " m takes the place of the shell's " + counted(old_components, "component", "components") +
+                             "; names, roles and colours are gone; " + counted(locked, "node is", "nodes are") +
+                             " locked, around every locked vertex";
     return {"IMPORT_CAGED", Severity::warning, text, 1, {}};
 }
 

@@ -70,8 +70,9 @@ std::uint64_t drop_duplicates(const Surface& surface, Welded& shell, std::vector
     }
     if (finding.count == 0) return 0;
     keep_triangles(shell, keep);
-    finding.message = std::to_string(finding.count) +
-                      " triangles are in the file twice; the second copies were dropped (places count before that)";
+    finding.message = counted(finding.count, "triangle is in the file twice; the second copy was",
+                              "triangles are in the file twice; the second copies were") +
+                      " dropped (places count before that)";
     findings.push_back(finding);
     return finding.count;
 }
@@ -181,8 +182,8 @@ std::uint64_t flatten_out(const Surface& surface, Welded& shell, std::vector<Fin
     const std::uint64_t left = count_flat(surface, shell, nullptr);
     finding.severity = left > 0 ? Severity::warning : Severity::info;
     finding.message = counted(finding.count, "triangle has", "triangles have") + " no area; " +
-                      std::to_string(finding.count - std::min(left, finding.count)) +
-                      " were merged into their neighbours (places count before that)";
+                      counted(finding.count - std::min(left, finding.count), "was", "were") +
+                      " merged into neighbours (places count before that)";
     findings.push_back(finding);
     return finding.count;
 }

@@ -186,8 +186,8 @@ void orient(const Surface& surface, const std::vector<HalfEdge>& half_edges, Wel
         result.findings.push_back(repaired);
     }
     if (stuck.count > 0) {
-        stuck.message = "patches of " + std::to_string(stuck.count) +
-                        " triangles in all have no inside and outside (like a "
+        stuck.message = "patches of " + counted(stuck.count, "triangle", "triangles") +
+                        " in all have no inside and outside (like a "
                         "Moebius band); cut or rebuild them";
         result.findings.push_back(stuck);
     }
@@ -211,14 +211,14 @@ void judge_edges(const Surface& surface, const Welded& shell, Components& result
     result.open_edges = open.count;
     result.non_manifold_edges = many.count;
     if (open.count > 0) {
-        open.message = std::to_string(open.count) +
-                       " edges have a triangle on one side only: the shell is not closed, "
+        open.message = counted(open.count, "edge has", "edges have") +
+                       " a triangle on one side only: the shell is not closed, "
                        "inside and outside are a guess there; close the holes";
         result.findings.push_back(open);
     }
     if (many.count > 0) {
-        many.message = std::to_string(many.count) +
-                       " edges have more than two triangles; separate what touches there, or "
+        many.message = counted(many.count, "edge has", "edges have") +
+                       " more than two triangles; separate what touches there, or "
                        "remove inner walls";
         result.findings.push_back(many);
     }

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
+#include "core/counted.h"
+#include "core/short_text.h"
 #include "geometry/bvh.h"
 #include "geometry/measures.h"
 #include "importer/edges.h"
@@ -51,12 +52,10 @@ std::vector<Finding> find_needles(const Shell& shell) {
     std::stable_sort(needles.begin(), needles.end(),
                      [](const Needle& a, const Needle& b) { return a.sine_2 < b.sine_2; });
     const double sharpest = std::asin(std::sqrt(needles.front().sine_2)) * 180 / std::numbers::pi;
-    char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "%zu triangles have a corner below 5 degrees (the sharpest %.2g): elements on them are hardly better; "
-        "collapse their short edges. Within a flat area they do little harm",
-        needles.size(), sharpest);
+    const std::string text = counted(needles.size(), "triangle has", "triangles have") +
+                             " a corner below 5 degrees (the sharpest " + short_text(sharpest, 2) +
+                             "): elements there are hardly better; collapse short edges. Within a flat area they do "
+                             "little harm";
     Finding finding{"SHELL_NEEDLE", Severity::warning, text, needles.size(), {}};
     for (std::size_t i = 0; i < std::min<std::size_t>(needles.size(), max_places); ++i)
         finding.places.push_back(place_of(shell, needles[i].triangle));
@@ -102,8 +101,8 @@ std::vector<Finding> find_t_junctions(const Shell& shell, double diagonal) {
         if (is_junction && finding.count++ < max_places) finding.places.push_back({shell.positions[v], v, ""});
     }
     if (finding.count == 0) return {};
-    finding.message = std::to_string(finding.count) +
-                      " vertices lie on the middle of an open edge: the edge looks closed and is not; split it there";
+    finding.message = counted(finding.count, "vertex lies", "vertices lie") +
+                      " on the middle of an open edge: the edge looks closed and is not; split it there";
     return {finding};
 }
 

@@ -74,12 +74,14 @@ std::vector<std::string> visual_names(const Sources& sources) {
         const std::string name = visual.name.empty() ? stem_of(visual.path) : visual.name;
         const bool is_path_like = name.find('/') != std::string::npos || name == "." || name == "..";
         if (name.empty() || is_path_like || name != printable(name)) {
-            throw Error(
-                ErrorKind::usage,
-                "'" + printable(name) + "' cannot name a visual mesh; give another with --visual NAME=" + visual.path);
+            throw Error(ErrorKind::usage, "--visual: " + in_quotes(name) +
+                                              " cannot name a visual mesh: a name is text without '/' that is not "
+                                              "empty, at most " +
+                                              std::to_string(max_name_bytes) +
+                                              " bytes; give one with --visual NAME=" + visual.path);
         }
         if (!taken.insert(name).second) {
-            throw Error(ErrorKind::usage, "two visual meshes are named '" + name +
+            throw Error(ErrorKind::usage, "--visual: two visual meshes are named '" + name +
                                               "'; give one another name with --visual NAME=" + visual.path);
         }
         names.push_back(name);

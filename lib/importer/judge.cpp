@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "core/counted.h"
 #include "core/error.h"
+#include "core/short_text.h"
 #include "geometry/measures.h"
 #include "geometry/predicates.h"
 #include "geometry/self_intersection.h"
@@ -61,11 +62,7 @@ FarthestVertex farthest_vertex(const Shell& shell) {
     return farthest;
 }
 
-std::string shortest(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
+std::string shortest(double value) { return short_text(value, 4); }
 
 std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share))) + " %"; }
 
@@ -101,9 +98,11 @@ Finding nearly_all_painted(const Shell& shell, std::uint64_t locked, double shar
             locked, places_of_components(shell)};
 }
 
-void finish(Finding& finding, const std::string& message, std::vector<Finding>& findings) {
+// "1 pair crosses; it ...", "7 pairs cross; it ...".
+void finish(Finding& finding, std::string_view one, std::string_view many, const std::string& rest,
+            std::vector<Finding>& findings) {
     if (finding.count == 0) return;
-    finding.message = std::to_string(finding.count) + message;
+    finding.message = counted(finding.count, one, many) + rest;
     findings.push_back(finding);
 }
 
@@ -160,15 +159,14 @@ std::vector<Finding> judge_shape(const Shell& shell, const Context& context, std
             {shell.positions[shell.triangles[static_cast<std::size_t>(first)][0]], none, component.name});
     }
     std::vector<Finding> findings;
-    finish(crossing,
-           " pairs of triangles of one component cross or touch; the winding number decides there, which "
-           "counts what is enclosed twice as inside",
+    finish(crossing, "pair of triangles of one component crosses or touches",
+           "pairs of triangles of one component cross or touch",
+           "; the winding number decides there, which counts what is enclosed twice as inside", findings);
+    finish(overlapping, "pair of triangles of two components crosses or touches",
+           "pairs of triangles of two components cross or touch", "; where they overlap the smaller one decides",
            findings);
-    finish(overlapping,
-           " pairs of triangles of two components cross or touch; where they overlap the smaller one decides",
-           findings);
-    finish(hollow, " closed components enclose nothing (front and back coincide); export single-sided surfaces",
-           findings);
+    finish(hollow, "closed component encloses", "closed components enclose",
+           " nothing (front and back coincide); export single-sided surfaces", findings);
     return findings;
 }
 
@@ -180,7 +178,8 @@ std::vector<Finding> judge_unused_locks(const Scene& scene, const std::vector<Ve
         if (finding.count++ < max_places) finding.places.push_back({vertex_list[v], static_cast<Index>(v), ""});
     }
     std::vector<Finding> findings;
-    finish(finding, " locked vertices belong to no face and were dropped", findings);
+    finish(finding, "locked vertex belongs to no face and was", "locked vertices belong to no face and were",
+           " dropped", findings);
     return findings;
 }
 
@@ -216,10 +215,9 @@ std::vector<Finding> judge_locks(const Shell& shell, const PaintedVertices& pain
     const double share = static_cast<double>(locked) / static_cast<double>(shell.locked.size());
     if (locked == 0) findings.push_back(nothing_painted(shell, painted, params));
     if (share > nearly_all) findings.push_back(nearly_all_painted(shell, locked, share));
-    finish(conflicts,
-           " locked vertices have a copy painted free (a seam between materials, say); they are locked; paint all "
-           "copies alike",
-           findings);
+    finish(conflicts, "locked vertex has a copy painted free (a seam between materials, say); it is",
+           "locked vertices have a copy painted free (a seam between materials, say); they are",
+           " locked; paint all copies alike", findings);
     if (params.strict && conflicts.count > 0) {
         throw Error(ErrorKind::bad_input, "LOCK_CONFLICT: " + findings.back().message + " (first: source vertex " +
                                               std::to_string(findings.back().places.front().element) +

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "core/error.h"
 #include "core/parallel_for.h"
+#include "core/short_text.h"
 #include "geometry/boundary_loops.h"
 #include "geometry/measures.h"
 #include "mesh/shell_interior.h"
@@ -23,18 +23,6 @@ constexpr double harmless_leak = 0.02;
 constexpr double hopeless_leak = 0.1;
 
 constexpr std::size_t place_count = 20'000;
-
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-    return text;
-}
-
-std::string metres(double length) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g m", length);
-    return text;
-}
 
 void measure_holes(const Shell& shell, double diagonal, Openness& openness) {
     std::vector<std::vector<Triangle>> triangles(shell.components.size());
@@ -103,11 +91,11 @@ Openness measure_openness(const Shell& shell, const Context& context) {
 
 std::vector<Finding> judge_openness(const Openness& openness, double diagonal, bool is_caged) {
     if (openness.holes == 0) return {};
-    const std::string what = std::to_string(openness.holes) +
-                             (openness.holes == 1 ? " hole, " : " holes, the largest ") +
-                             metres(openness.largest_hole * diagonal) + " across (" + percent(openness.largest_hole) +
-                             " of the diagonal) in '" + openness.place.name + "'; inside and outside are a guess in " +
-                             percent(openness.leak_share) + " of the volume";
+    const std::string what =
+        std::to_string(openness.holes) + (openness.holes == 1 ? " hole, " : " holes, the largest ") +
+        short_text(openness.largest_hole * diagonal) + " m across (" + percent_text(openness.largest_hole) +
+        " of the diagonal) in '" + openness.place.name + "'; inside and outside are a guess in " +
+        percent_text(openness.leak_share) + " of the volume";
     const bool is_small = openness.largest_hole < small_hole;
     if (openness.leak_share < harmless_leak || is_caged)
         return {{"SHELL_HOLES", Severity::warning, what, openness.holes, {openness.place}}};
@@ -117,10 +105,8 @@ std::vector<Finding> judge_openness(const Openness& openness, double diagonal, b
     if (is_small || openness.leak_share <= hopeless_leak) {
         return {{"SHELL_LEAKS", Severity::warning, what + "; better " + remedy, openness.holes, {openness.place}}};
     }
-    char place[96];
-    std::snprintf(place, sizeof place, " at (%.4g, %.4g, %.4g)", openness.place.position.x, openness.place.position.y,
-                  openness.place.position.z);
-    throw Error(ErrorKind::bad_input, "SHELL_LEAKS: " + what + "; the largest is" + place + ": " + remedy);
+    throw Error(ErrorKind::bad_input, "SHELL_LEAKS: " + what + "; the largest is at " +
+                                          position_text(openness.place.position) + ": " + remedy);
 }
 
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/counted.h"
 #include "core/error.h"
 
 namespace crumple::importer {
@@ -54,13 +55,32 @@ Place place_of(const Surface& surface, std::size_t v) {
             surface.objects[surface.parts[surface.vertex_part[v]].object].name};
 }
 
+// Vertices of the file, each once: formats split them by corner, and instances repeat them.
+class FileVertices {
+public:
+    explicit FileVertices(const Surface& surface) : surface_(surface), is_met_(surface.source_vertex_count, false) {}
+
+    // Whether v of the surface is the first copy that this is asked about.
+    bool meets(std::size_t v) {
+        const Index vertex = surface_.source_vertex[v];
+        const bool is_first = !is_met_[vertex];
+        is_met_[vertex] = true;
+        return is_first;
+    }
+
+private:
+    const Surface& surface_;
+    std::vector<bool> is_met_;
+};
+
 // Counts vertices of which `is_odd` holds, and remembers where the first are.
 template <class IsOdd>
 void find_odd_vertices(const Surface& surface, const char* code, const char* message, IsOdd&& is_odd,
                        std::vector<Finding>& findings) {
     Finding finding{code, Severity::warning, message, 0, {}};
+    FileVertices vertices(surface);
     for (std::size_t v = 0; v < surface.colors.size(); ++v) {
-        if (!has_color(surface, v) || !is_odd(surface.colors[v][0])) continue;
+        if (!has_color(surface, v) || !is_odd(surface.colors[v][0]) || !vertices.meets(v)) continue;
         if (finding.count++ < max_places) finding.places.push_back(place_of(surface, v));
     }
     if (finding.count > 0) findings.push_back(std::move(finding));
@@ -91,8 +111,8 @@ void find_other_sets(const Scene& scene, std::size_t set_count, std::uint32_t ch
         findings.push_back({"COLOR_SET_UNUSED",
                             Severity::warning,
                             "the file also has colour set " + name + " (COLOR_" + name + "), where " +
-                                std::to_string(locked) + " vertices have red 0; only set " + std::to_string(chosen) +
-                                " is read (--color-set " + name + " reads the other)",
+                                counted(locked, "vertex has", "vertices have") + " red 0; only set " +
+                                std::to_string(chosen) + " is read (--color-set " + name + " reads the other)",
                             locked,
                             {}});
     }
@@ -109,8 +129,9 @@ void find_uncolored_parts(const Surface& surface, std::vector<Finding>& findings
         placed[part] = true;
         finding.places.push_back(place_of(surface, v));
     }
-    finding.message = std::to_string(finding.count) + " of " + std::to_string(surface.parts.size()) +
-                      " meshes have no colours: nothing of them is locked; paint them too, white where free";
+    finding.message = std::to_string(finding.count) + " of " + std::to_string(surface.parts.size()) + " meshes " +
+                      (finding.count == 1 ? "has" : "have") +
+                      " no colours: nothing there is locked; paint all, white where free";
     findings.push_back(std::move(finding));
 }
 
@@ -140,10 +161,11 @@ PaintedVertices read_paint(const Scene& scene, const Format& format, const Param
     }
     find_uncolored_parts(surface, result.findings);
     if (format.may_hold_byte_colors && holds_bytes(surface)) scale_bytes(surface);
+    FileVertices locked(surface);
     for (std::size_t v = 0; v < surface.colors.size(); ++v) {
         if (!has_color(surface, v)) continue;
         result.paint[v] = is_locked(surface.colors[v][0]) ? Paint::locked : Paint::free;
-        result.locked_count += result.paint[v] == Paint::locked;
+        if (result.paint[v] == Paint::locked) result.locked_count += locked.meets(v);
     }
     find_odd_vertices(
         surface, "COLOR_NOT_FINITE", "red is not a finite number: these vertices are not locked",

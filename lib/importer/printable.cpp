@@ -5,18 +5,12 @@
 
 namespace crumple::importer {
 
-namespace {
-
-bool is_control(unsigned char c) { return c < 0x20 || c == 0x7f; }
-
-}
-
 std::string printable(std::string_view name) {
     std::string result;
     while (!name.empty()) {
         const std::size_t size = utf8_size(name);
         if (result.size() + (size == 0 ? 1 : size) > max_name_bytes) break;
-        if (size == 0 || is_control(static_cast<unsigned char>(name[0]))) {
+        if (size == 0 || is_control(name.substr(0, size))) {
             result += '?';
         } else {
             result += name.substr(0, size);

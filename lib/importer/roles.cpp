@@ -194,8 +194,9 @@ void report_nesting(const Shell& shell, std::vector<Finding>& findings) {
         findings.push_back(nested);
     }
     if (inverted.count > 0) {
-        inverted.message = std::to_string(inverted.count) +
-                           " closed components were wound inwards though no cavities, and were turned";
+        inverted.message = counted(inverted.count, "closed component was wound inwards though no cavity, and was",
+                                   "closed components were wound inwards though no cavities, and were") +
+                           " turned";
         findings.push_back(inverted);
     }
 }

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <string>
 
+#include "core/counted.h"
 #include "core/disjoint_sets.h"
 #include "core/error.h"
+#include "core/short_text.h"
 #include "geometry/measures.h"
 #include "importer/edges.h"
 
@@ -110,11 +111,8 @@ void check_thickness(const Welded& shell, double thickness) {
     for (const Vec3& p : shell.positions) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     const double least = largest * 0x1p-20;
     if (thickness >= least) return;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "import.thicken: %.3g m is too thin for float positions %.3g m from the origin; at least %.3g m",
-                  thickness, largest, least);
-    throw Error(ErrorKind::usage, text);
+    throw Error(ErrorKind::usage, "import.thicken: " + short_text(thickness) + " m is too thin for float positions " +
+                                      short_text(largest) + " m from the origin; at least " + short_text(least) + " m");
 }
 
 // Takes vertices and triangles over from one shell into another.
@@ -225,12 +223,9 @@ Finding thicken_sheets(const Surface& surface, const Components& components, dou
         }
         add_sheet_triangle(builder, sheets, t, v, shell.part[t]);
     }
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "%llu triangles of open parts were given a thickness of %.3g m: their vertices lie half of that to "
-                  "either side of where the file has them",
-                  static_cast<unsigned long long>(finding.count), thickness);
-    finding.message = text;
+    finding.message = counted(finding.count, "triangle of open parts was", "triangles of open parts were") +
+                      " given a thickness of " + short_text(thickness) +
+                      " m: vertices lie half of that to either side of where the file has them";
     shell = std::move(result);
     return finding;
 }

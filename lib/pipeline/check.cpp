@@ -2,6 +2,7 @@
 #include "pipeline/check.h"
 
 #include "bundle/blob.h"
+#include "pipeline/check_provenance.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/printable.h"
@@ -51,6 +52,13 @@ void ask_gates(const Workspace& work, FileCheck& check) {
                               {}});
 }
 
+bool stop_at_problems(FileCheck& check) {
+    if (check.problems.empty()) return false;
+    check.exit_code = damaged;
+    check.error = check.problems.front().code + ": " + check.problems.front().message;
+    return true;
+}
+
 }
 
 FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
@@ -61,12 +69,10 @@ FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
         check.digest = std::move(checked.digest);
         check.problems = std::move(checked.findings);
     }
-    if (!check.problems.empty()) {
-        check.exit_code = damaged;
-        check.error = check.problems.front().code + ": " + check.problems.front().message;
-        return check;
-    }
+    if (stop_at_problems(check)) return check;
     const Workspace work = read_work_image(std::move(image), name);
+    if (work.bundle) check.problems = check_provenance(work);
+    if (stop_at_problems(check)) return check;
     if (work.bundle)
         ask_gates(work, check);
     else if (work.tets)
@@ -98,7 +104,10 @@ namespace {
 
 std::string failure_text(const FileCheck& check, const std::string& name, bool has_color) {
     const std::string verdict = name + (check.exit_code == damaged ? ": DAMAGED" : ": ERROR");
-    if (check.problems.empty()) return verdict + ": " + report::printable(without_name(check.error, check.path)) + "\n";
+    if (check.problems.empty())
+        return verdict + ": " +
+               report::printable(report::shortened(without_name(check.error, check.path), report::longest_message)) +
+               "\n";
     return verdict + "\n" + report::findings_text(check.problems, {has_color, 2, max_places});
 }
 
@@ -117,7 +126,7 @@ std::string verdict_text(const FileCheck& check, const std::string& name) {
 }
 
 std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) {
-    const std::string name = report::printable(check.path);
+    const std::string name = report::printable(report::shortened(check.path, report::longest_message));
     const std::size_t places = is_verbose ? max_places : 0;
     if (check.exit_code != 0 && check.exit_code != gate_not_met) return failure_text(check, name, has_color);
     std::string text = verdict_text(check, name);

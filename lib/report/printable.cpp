@@ -15,13 +15,6 @@ std::string escaped(unsigned char byte) {
     return {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
 }
 
-// C0, delete, and C1 in its two bytes, which some terminals obey as well.
-bool is_control(std::string_view character) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
-    return character.size() == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;
-}
-
 bool is_inside_character(std::string_view text, std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
 }

@@ -7,8 +7,8 @@
 
 namespace crumple::report {
 
-// One safe line: control characters, which could drive a terminal, and bytes that are not UTF-8 are told as \n, \t or
-// \x1b.
+// One safe line: control characters, which could drive a terminal or turn the direction of text, and bytes that are not
+// UTF-8 are told as \n, \t or \x1b.
 [[nodiscard]] std::string printable(std::string_view text);
 
 // What is longer than `longest` bytes loses its middle, and says so: "aaaa ... (100000 bytes) ... aaaa".

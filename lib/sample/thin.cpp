@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
+#include "core/counted.h"
 #include "core/parallel_for.h"
+#include "core/short_text.h"
 #include "geometry/bvh.h"
 #include "geometry/measures.h"
 
@@ -116,14 +117,13 @@ ThinParts find_thin_parts(const Shell& shell, double clearance, const Context& c
 std::vector<Finding> describe_thin_parts(const ThinParts& thin) {
     if (thin.triangles == 0) return {};
     const double angle = std::atan(thin.least_ratio) * 180 / std::numbers::pi;
-    char text[320];
-    std::snprintf(
-        text, sizeof text,
-        "%llu triangles (%.2g %% of the surface) lie where the shell is thin against their edges: one layer of "
-        "tets fits there. The thinnest place is %.3g m, %.2g of an edge: no angle there is above %.2g degrees; "
-        "use shorter edges there, or accept it",
-        static_cast<unsigned long long>(thin.triangles), 100 * thin.area_share, thin.least_thickness, thin.least_ratio,
-        angle);
+    const std::string text = counted(thin.triangles, "triangle", "triangles") + " (" + percent_text(thin.area_share) +
+                             " of the surface) " + (thin.triangles == 1 ? "lies" : "lie") +
+                             " where the shell is thin against the edges: one layer of tets fits there. The thinnest "
+                             "place is " +
+                             short_text(thin.least_thickness) + " m, " + short_text(thin.least_ratio, 2) +
+                             " of an edge: no angle there is above " + short_text(angle, 2) +
+                             " degrees; use shorter edges there, or accept it";
     const Severity severity = thin.least_ratio < too_thin ? Severity::warning : Severity::info;
     return {{"SAMPLE_THIN", severity, text, thin.triangles, thin.thinnest}};
 }

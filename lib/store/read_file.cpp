@@ -15,6 +15,7 @@ namespace crumple::store {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) {
+    if (path.empty()) throw Error(ErrorKind::file, "the path of a file to read is empty");
     throw Error(ErrorKind::file, path + ": cannot be read: " + why);
 }
 

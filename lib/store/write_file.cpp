@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
+    if (path.empty()) throw Error(ErrorKind::file, "the path of a file to write is empty");
     throw Error(ErrorKind::file, path.string() + ": cannot be written: " + why);
 }
 

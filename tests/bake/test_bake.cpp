@@ -66,10 +66,11 @@ TEST(Bake, RefusesInputsThatDoNotFitEachOther) {
               "bake: tet 0 lies in a component that does not exist");
     EXPECT_EQ(refusal_of([](BakeInput& i) { i.asset.shell.locked.clear(); }),
               "bake: the shell needs one lock flag a vertex");
-    EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings[0].tet[7] = 48; }),
-              "bake: vertex 7 of 'paint' is not bound to a tet");
-    EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings[0].barycentric[7][0] = std::nan(""); }),
-              "bake: vertex 7 of 'paint' is not bound to a tet");
+    const std::string unbound =
+        "bake: vertex 7 of visual mesh 'paint' is bound to no tet, or lies too far from all of them; is the mesh in "
+        "the shell's unit (--unit) and place?";
+    EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings[0].tet[7] = 48; }), unbound);
+    EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings[0].barycentric[7][0] = std::nan(""); }), unbound);
     EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings[0].inside.pop_back(); }),
               "bake: the bindings of 'paint' differ in length");
     EXPECT_EQ(refusal_of([](BakeInput& i) { i.bindings.push_back(i.bindings[0]); }),
@@ -81,7 +82,7 @@ TEST(Bake, RefusesInputsThatDoNotFitEachOther) {
 TEST(Bake, RefusesToLoseALock) {
     EXPECT_NE(refusal_of([](BakeInput& i) {
                   i.asset.locked_positions.push_back({0.5, 0.5, 0.25});
-              }).find("a painted lock has no locked node at its position, first at (0.500000, 0.500000, 0.250000)"),
+              }).find("a painted lock has no locked node at its position, first at (0.5, 0.5, 0.25)"),
               std::string::npos);
     EXPECT_NE(refusal_of([](BakeInput& i) { i.asset.locked_positions.pop_back(); }).find("nobody painted"),
               std::string::npos);

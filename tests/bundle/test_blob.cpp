@@ -97,7 +97,7 @@ Bundle rich_bundle() {
     b.materials[1].name = "a name much longer than a small string";
     b.materials[1].young_pa = 1e6;
     b.material[3] = 1;
-    b.regions.push_back("");
+    b.regions.push_back("r");
     b.visuals.push_back(b.visuals[0]);
     b.visuals[1].name = "glass";
     b.sensors.push_back(b.sensors[0]);
@@ -184,7 +184,7 @@ TEST(Blob, IsUsedWhereItLies) {
     EXPECT_LE(tets + blob.tets.size_bytes(), bytes.get().data() + bytes.get().size());
     EXPECT_EQ(visual_of(blob, 1).name, "glass");
     EXPECT_EQ(sensor_of(blob, 1).name, "hood/\xc3\xbc");
-    EXPECT_EQ(region_name(blob, 1), "");
+    EXPECT_EQ(region_name(blob, 1), "r");
     EXPECT_EQ(material_name(blob, 1), bundle.materials[1].name);
     EXPECT_EQ(material_numbers(blob, 1).young_pa, 1e6);
     EXPECT_EQ(*visual_of(blob, 1).name.end(), '\0') << "C reads names too";

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/check_provenance.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/check.h"
+#include "pipeline/small_work.h"
+#include "pipeline/work_file.h"
+
+using crumple::pipeline::check_image;
+using crumple::pipeline::check_provenance;
+using crumple::pipeline::work_image;
+using crumple::pipeline::Workspace;
+
+namespace {
+
+// What is said of a cooked workspace whose provenance was changed.
+template <class Change>
+std::string complaint_of(const Change& change) {
+    Workspace work = small_work::cooked();
+    change(work.bundle->provenance);
+    const auto findings = check_provenance(work);
+    return findings.size() == 1 ? findings[0].message : std::to_string(findings.size()) + " findings";
+}
+
+}
+
+TEST(CheckProvenance, WhatWasCookedIsTrue) {
+    EXPECT_TRUE(check_provenance(small_work::cooked()).empty());
+    const auto check = check_image(work_image(small_work::cooked(), {}), "a.hdf");
+    EXPECT_TRUE(check.problems.empty());
+}
+
+TEST(CheckProvenance, EachPartIsHeldAgainstTheRecord) {
+    using Provenance = crumple::BundleProvenance;
+    EXPECT_NE(complaint_of([](Provenance& p) { p.recipe.pop_back(); }).find("no JSON"), std::string::npos);
+    EXPECT_NE(complaint_of([](Provenance& p) { p.recipe.clear(); }).find("no JSON"), std::string::npos);
+    EXPECT_NE(complaint_of([](Provenance& p) { p.recipe = "{}"; }).find("not that of its stages"), std::string::npos);
+    EXPECT_NE(complaint_of([](Provenance& p) { p.stage_versions[0].value = "99"; }).find("versions"),
+              std::string::npos);
+    EXPECT_NE(complaint_of([](Provenance& p) { p.input_digests[0].value[0] = 'b'; }).find("digests"),
+              std::string::npos);
+    EXPECT_EQ(complaint_of([](Provenance& p) { p.recipe.insert(1, " "); }), "0 findings");  // the same recipe
+}
+
+TEST(CheckProvenance, AnUntrueBundleIsDamaged) {
+    Workspace work = small_work::cooked();
+    work.bundle->provenance.input_digests[0].value[0] = 'b';
+    const auto check = check_image(work_image(work, {}), "a.hdf");
+    EXPECT_EQ(check.exit_code, 7);
+    ASSERT_EQ(check.problems.size(), 1u);
+    EXPECT_EQ(check.problems[0].code, "BUNDLE_PROVENANCE");
+}
+
+TEST(CheckProvenance, WithoutARecordTheRecipeMustStillBeJson) {
+    Workspace work = small_work::cooked();
+    work.records.clear();
+    work.bundle->provenance.recipe = "{}";
+    EXPECT_TRUE(check_provenance(work).empty());
+    work.bundle->provenance.recipe = "{";
+    EXPECT_EQ(check_provenance(work).size(), 1u);
+}
