@@ -64,6 +64,9 @@ std::string explain_word(const CLI::App& app, const std::string& word) {
 
 // "--shell: At Most 1 required but received 2", in our words.
 std::string explain_count(std::string text) {
+    const std::size_t colon = text.find(": 1 required ");
+    if (colon != std::string::npos && text.ends_with(" missing"))
+        return text.substr(0, colon) + ": its value is missing";
     static constexpr std::pair<std::string_view, std::string_view> words[] = {
         {"At Most ", "takes no more than "}, {"At least ", "wants at least "}, {" required but received ", ", found "}};
     for (const auto& [theirs, ours] : words) {

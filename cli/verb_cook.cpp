@@ -240,6 +240,11 @@ CLI::Validator positive_number() {
             "NUMBER > 0"};
 }
 
+// A script's variable that is not set would leave out what was asked for without a word.
+CLI::Validator file_name() {
+    return {[](const std::string& text) { return text.empty() ? std::string("it names no file") : std::string(); }, ""};
+}
+
 }
 
 void add_cook(CLI::App& app, Session& session) {
@@ -253,9 +258,12 @@ void add_cook(CLI::App& app, Session& session) {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     verb->add_flag("--keep-work", flags->keeps_work, "leave what the stages made in the file");
-    verb->add_option("--report", flags->report, "write figures and findings as JSON; - for stdout")->type_name("FILE");
+    verb->add_option("--report", flags->report, "write figures and findings as JSON; - for stdout")
+        ->type_name("FILE")
+        ->check(file_name());
     verb->add_option("--depfile", flags->depfile, "write what the output depends on, for make and ninja; - for stdout")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(file_name());
     verb->add_flag("--dry-run", flags->is_dry_run, "say what would be cooked and why, and write nothing");
     verb->add_flag("--check-determinism", flags->checks_determinism, "cook twice at different --jobs, compare");
     verb->add_option("--timeout", flags->budget.time_s, "seconds the cook may take")->check(positive_number());

@@ -71,6 +71,7 @@ std::vector<std::string> visual_names(const Sources& sources) {
     std::vector<std::string> names;
     std::set<std::string> taken;
     for (const Sources::Visual& visual : sources.visuals) {
+        if (visual.path.empty()) throw Error(ErrorKind::usage, "--visual: it names no file");
         const std::string name = visual.name.empty() ? stem_of(visual.path) : visual.name;
         const bool is_path_like = name.find('/') != std::string::npos || name == "." || name == "..";
         if (name.empty() || is_path_like || name != printable(name)) {

@@ -228,10 +228,10 @@ public:
 
     [[nodiscard]] std::size_t size_left() const { return left_.size(); }
 
-    // Bytes that say something and that nobody asked for.
+    // Bytes from the first on that says something and that nobody asked for.
     [[nodiscard]] std::size_t unread() const {
         std::string_view rest = left_;
-        return next_word(rest).empty() ? 0 : left_.size();
+        return next_word(rest).size() + rest.size();
     }
 
 private:

@@ -140,6 +140,12 @@ class Output(program.Case):
         self.ok(program.run("cook", "smoke", "--shell", self.shell, "-o", self.output))
         self.ok(program.run("check", self.output))
 
+    def test_a_path_left_empty_is_a_wrong_call(self):
+        for option in ["--report", "--depfile", "--visual"]:
+            self.fails(self.cook(option, ""), 1, option, "it names no file")
+        process = program.run("cook", "smoke", "--shell", "", "-o", self.output)
+        self.fails(process, 2, "is empty")
+
     def test_the_depfile_lists_what_was_read(self):
         depfile = self.path("out.d")
         self.ok(self.cook("--depfile", depfile, recipe=str(program.SOURCE / "pipelines/smoke.json")))

@@ -65,6 +65,29 @@ TEST(Import, EmptyAndForeignContentIsRefusedInEveryFormat) {
     }
 }
 
+TEST(Import, WhatIsNotReadIsTold) {
+    const TempFolder folder;
+    const Result curves =
+        import_shell(folder.write("a.obj", obj_text(shapes::box()) + "curv 0 1 1 2 3\nsurf 0 1 0 1 1\n"));
+    EXPECT_EQ(find(curves.report.findings, "FILE_FREE_FORM")->count, 2u);
+    std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 12\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const Vec3& p : shapes::box().positions)
+        ply += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+    for (const Triangle& t : shapes::box().triangles)
+        ply += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+    EXPECT_FALSE(has(import_shell(folder.write("a.ply", ply + "\n")).report, "FILE_UNREAD"));
+    EXPECT_EQ(find(import_shell(folder.write("a.ply", ply + "3 0 1 2\n")).report.findings, "FILE_UNREAD")->count, 8u);
+}
+
+TEST(Import, MaterialsKeepTheirNamesThoughTheirLibraryIsNotRead) {
+    const TempFolder folder;
+    (void)folder.write("a.mtl", "newmtl steel\nnewmtl other\n");
+    const std::string path = folder.write("a.obj", "mtllib a.mtl\nusemtl steel\n" + obj_text(shapes::box()));
+    EXPECT_EQ(import_shell(path).report.components.at(0).material, "steel");
+}
+
 TEST(Import, BoxComesThroughAsItIs) {
     const Result result = import_obj(shapes::box());
     EXPECT_EQ(result.asset.shell.positions, shapes::box().positions);

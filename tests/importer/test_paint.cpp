@@ -86,6 +86,17 @@ TEST(Paint, LocksAreJudgedOnStoredValuesInEitherColourSpace) {
     EXPECT_EQ(surface.colors[0][3], 0.5f);
 }
 
+// OBJ makes a copy for each corner, and an instance for each node.
+TEST(Paint, CopiesOfAVertexCountOnce) {
+    Surface surface = painted_surface({red(0.0015f), red(0.0015f), red(0), red(0), red(NAN), red(NAN), red(1)});
+    surface.source_vertex = {0, 0, 1, 1, 2, 2, 3};
+    surface.source_vertex_count = 4;
+    const auto painted = read_paint(Scene{}, format_named("a.obj"), {}, surface);
+    EXPECT_EQ(find(painted.findings, "LOCK_NEARLY_ZERO")->count, 1u);
+    EXPECT_EQ(find(painted.findings, "COLOR_NOT_FINITE")->count, 1u);
+    EXPECT_EQ(painted.locked_count, 2u);
+}
+
 TEST(Paint, NearlyZeroRedsAreReported) {
     Surface surface = painted_surface({red(0.0015f), red(0), red(1)});
     const auto painted = read_paint(Scene{}, format_named("a.glb"), {}, surface);

@@ -141,7 +141,7 @@ TEST(PrescanPly, RefusesNumbersOfTextThatDoNotFitTheirType) {
 TEST(PrescanPly, CountsWhatFollowsTheLastElement) {
     const std::string header = "element vertex 1\n" + xyz;
     EXPECT_EQ(prescan_ply(ply(header, "0 0 0\n\n \n"), Purpose::shell).unread.bytes, 0u);
-    EXPECT_EQ(prescan_ply(ply(header, "0 0 0\n1 2 3"), Purpose::shell).unread.bytes, 6u);
+    EXPECT_EQ(prescan_ply(ply(header, "0 0 0\n1 2 3"), Purpose::shell).unread.bytes, 5u);
     const std::string binary = ply(header, std::string(15, '\0'), "binary_little_endian");
     EXPECT_EQ(prescan_ply(binary, Purpose::shell).unread.bytes, 3u);
 }
