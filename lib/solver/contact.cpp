@@ -95,6 +95,7 @@ struct Contacts {
     std::span<const Obstacle> obstacles;
     float dt;
     std::span<std::uint8_t> is_taken;
+    std::span<float> clearance;
     std::span<Constraint> room;
     ContactCounts counts;
 
@@ -116,19 +117,16 @@ struct Contacts {
         }
         return deepest < 1e300;
     }
-    // Whether any point of a face might touch: distances change by no more than the way, and of velocities that are
-    // affine the fastest is at a corner.
-    bool may_touch(const Vec3f (&x)[3], const Vec3f (&velocity)[3]) const {
-        const float size = std::max(length(x[1] - x[0]), length(x[2] - x[0]));
-        const Vec3 places[3] = {frame.point_to_world(x[0]), frame.point_to_world(x[1]), frame.point_to_world(x[2])};
-        return std::any_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) {
-            float speed = 0;
-            for (int i = 0; i < 3; ++i) {
-                const Vec3 of_surface = o.velocity + cross(o.angular_velocity, places[i] - o.position);
-                speed = std::max(speed, length(velocity[i] - frame.velocity(places[i], of_surface)));
-            }
-            return nearest_surface(o, places[0]).distance <= static_cast<double>(1.01f * (size + speed * dt));
-        });
+    // How far the node may be wrong about where it is and still touch nothing in this step.
+    [[nodiscard]] float clearance_of(Vec3f x, Vec3f velocity) const {
+        const Vec3 place = frame.point_to_world(x);
+        float least = 3e38f;
+        for (const Obstacle& o : obstacles) {
+            const Vec3 of_surface = o.velocity + cross(o.angular_velocity, place - o.position);
+            const float way = length(velocity - frame.velocity(place, of_surface)) * dt;
+            least = std::min(least, static_cast<float>(nearest_surface(o, place).distance) - way);
+        }
+        return least;
     }
     void hold(Index node, Constraint contact) {
         contact.node = node;
@@ -145,12 +143,17 @@ constexpr float between_nodes[4][3] = {
 void hold_face(Contacts& contacts, const State& state, const Tet& tet, std::size_t opposite) {
     Index nodes[3];
     Vec3f places[3], velocities[3];
+    float clearance = 3e38f;
     for (std::size_t i = 0; i < 3; ++i) {
         nodes[i] = tet[(opposite + 1 + i) % 4];
         places[i] = position(state, nodes[i]);
         velocities[i] = velocity(state, nodes[i]);
+        clearance = std::min(clearance, contacts.clearance[nodes[i]]);
     }
-    if (!contacts.may_touch(places, velocities)) return;
+    // Distances change by no more than the way, and of velocities that are affine the fastest is at a corner.
+    const Vec3f edges[3] = {places[1] - places[0], places[2] - places[1], places[0] - places[2]};
+    const float size_squared = std::max({dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2])});
+    if (clearance > 0 && clearance * clearance > 1.01f * size_squared) return;
     // Beside a node that touches, a face is only on its way there.
     const bool is_on_its_way = std::any_of(nodes, nodes + 3, [&](Index node) { return contacts.is_taken[node]; });
     const auto may_hold = [&](Index node) { return !contacts.model.bundle.locked[node] && !contacts.is_taken[node]; };
@@ -180,11 +183,13 @@ SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
 
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
                             std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
-                            std::span<Constraint> room) {
-    Contacts contacts{model, frame, obstacles, dt, is_taken, room, {}};
+                            std::span<float> clearance, std::span<Constraint> room) {
+    Contacts contacts{model, frame, obstacles, dt, is_taken, clearance, room, {}};
     if (obstacles.empty()) return contacts.counts;
+    const float falls = 1.01f * length(pull) * dt * dt;
     for (Index node = 0; node < model.node_count; ++node) {
-        if (model.bundle.locked[node] || is_taken[node]) continue;
+        clearance[node] = contacts.clearance_of(position(state, node), velocity(state, node));
+        if (clearance[node] > falls || model.bundle.locked[node] || is_taken[node]) continue;
         Constraint contact;
         if (contacts.touches(position(state, node), velocity(state, node), pull * dt, contact))
             contacts.hold(node, contact);

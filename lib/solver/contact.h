@@ -46,10 +46,10 @@ struct ContactCounts {
 // Writes a contact constraint, in the frame, for every node in contact that is not locked and whose `is_taken` (N) is
 // 0, and sets that. Of several obstacles the deepest counts. Where an obstacle comes through a boundary face between
 // its nodes, at the middle of the face or of an edge, the nodes there are held as if they touched. `pull` is gravity in
-// the frame.
+// the frame; `clearance` (N) is to work with.
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
                             std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
-                            std::span<Constraint> room);
+                            std::span<float> clearance, std::span<Constraint> room);
 
 // A blow: momentum at a place of the body.
 struct Hit {

@@ -63,7 +63,7 @@ void watch_sleep(const Model& model, State& state, const InstanceInput& input, c
 // The caller's constraints and the contacts, one after the other in `room`.
 std::size_t fill_room(const Model& model, const State& state, Workspace& w, const InstanceInput& input,
                       const Frame& frame, InstanceReport& report) {
-    // is_fixed is free until the step fills it.
+    // is_fixed and damped_mass are free until the step fills them.
     const std::span<std::uint8_t> is_taken = w.is_fixed.first(model.node_count);
     std::fill(is_taken.begin(), is_taken.end(), std::uint8_t{0});
     const std::size_t given = std::min(input.room.size(), input.constraints.size());
@@ -71,8 +71,9 @@ std::size_t fill_room(const Model& model, const State& state, Workspace& w, cons
     for (const Constraint& c : input.constraints) {
         if (c.node < model.node_count) is_taken[c.node] = 1;
     }
-    const ContactCounts counts = find_contacts(model, state, frame, input.obstacles, pull_on(input, frame), input.dt,
-                                               is_taken, input.room.subspan(given));
+    const ContactCounts counts =
+        find_contacts(model, state, frame, input.obstacles, pull_on(input, frame), input.dt, is_taken,
+                      w.damped_mass.first(model.node_count), input.room.subspan(given));
     report.contacts = counts.written;
     report.is_room_too_small = counts.written < counts.found || given < input.constraints.size();
     return given + counts.written;
