@@ -64,7 +64,9 @@ Cost measure_cost(std::span<const Vec3> positions, std::span<const Tet> tets, co
     cost.critical_step_m = critical_step(system);
     cost.dt_ratio = cost.critical_step_m / regular_step(volume / static_cast<double>(tets.size()));
     cost.pcg_soft = middle_count(system, soft_reach * diagonal, context);
-    cost.pcg_stiff = middle_count(system, stiff_reach * diagonal, context);
+    // A longer step is no easier: where the short one does not converge, trying would only cost time.
+    const bool is_hopeless = cost.pcg_soft >= most_step_iterations;
+    cost.pcg_stiff = is_hopeless ? most_step_iterations : middle_count(system, stiff_reach * diagonal, context);
     return cost;
 }
 
