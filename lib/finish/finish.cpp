@@ -5,8 +5,10 @@
 
 #include "finish/crowded.h"
 #include "finish/findings.h"
+#include "finish/flaps.h"
 #include "finish/improve.h"
 #include "finish/peel.h"
+#include "finish/raise_steps.h"
 #include "finish/repair.h"
 #include "finish/strip.h"
 #include "finish/surface_guard.h"
@@ -77,19 +79,40 @@ public:
         sum.slides += improved.slides;
         report_.is_out_of_budget |= improved.is_out_of_budget;
         report_.rounds_run += improved.rounds;
-        report_.tried += improved.tried;
-        report_.budget_used = budget_ > 0 ? static_cast<double>(report_.tried) / static_cast<double>(budget_) : 1;
+        spend(improved.tried);
+    }
+
+    void raise_steps() {
+        const StepReport raised =
+            finish::raise_steps(work_, guard_, {params_.step_share, budget_ - report_.tried}, context_);
+        report_.operations.step_changes = raised.changes;
+        spend(raised.tried);
     }
 
     [[nodiscard]] TetMesh mesh() const { return take_mesh(work_); }
 
 private:
-    bool peel(const PeelLimits& limits) {
-        const PeelReport peeled = peel_flat_tets(work_, guard_, limits, context_);
+    void spend(std::uint64_t tried) {
+        report_.tried += tried;
+        report_.budget_used =
+            report_.tried < budget_ ? static_cast<double>(report_.tried) / static_cast<double>(budget_) : 1;
+    }
+
+    void count(const PeelReport& peeled) {
         report_.peeled_tets += peeled.removed;
         report_.restored_tets += peeled.restored;
         volume_ -= peeled.spent;
-        return peeled.removed > 0;
+    }
+
+    bool peel(const PeelLimits& limits) {
+        PeelReport peeled = clip_flaps(work_, guard_, limits, context_);
+        count(peeled);
+        PeelLimits rest = limits;
+        rest.volume = volume_;
+        const bool has_clipped = peeled.removed > 0;
+        peeled = peel_flat_tets(work_, guard_, rest, context_);
+        count(peeled);
+        return has_clipped || peeled.removed > 0;
     }
 
     const Params& params_;
@@ -115,7 +138,8 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
         judge_result(shell, result.mesh, report, context);
         return result;
     }
-    const SurfaceGuard guard(shell, {params.fold_deg, params.surface_gap, params.surface_gap_diagonal});
+    const SurfaceGuard guard(
+        shell, {params.fold_deg, params.surface_gap, params.surface_gap_folded, params.surface_gap_diagonal});
     report.stripped_tets = strip_flat_tets(mesh, guard, context);
     repair(mesh, shell, report, context);
     Finisher finisher(guard, mesh, params, report, context);
@@ -124,6 +148,7 @@ Result finish_mesh(const Shell& shell, TetMesh mesh, const Params& params, const
         finisher.peel_flattest();
         finisher.improve();
         if (finisher.peel_flat()) finisher.improve();
+        finisher.raise_steps();
     } else {
         (void)finisher.peel_flat();
     }

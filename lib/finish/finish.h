@@ -15,7 +15,7 @@
 
 namespace crumple::finish {
 
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
 enum class Mode { none, peel, full };
 inline constexpr EnumName<Mode> mode_names[] = {{Mode::none, "none"}, {Mode::peel, "peel"}, {Mode::full, "full"}};
@@ -28,9 +28,11 @@ struct Params {
     double peel_volume = 0.005;
     double fold_deg = 0.5;
     double surface_gap = 0.01;
+    double surface_gap_folded = 0.003;
     double surface_gap_diagonal = 1e-3;
     double target_deg = 40;
     double insert_below_deg = 10;
+    double step_share = 0.35;
     double slide = 0;
     std::uint32_t rounds = 10;
     std::uint32_t budget = 400;
@@ -47,11 +49,16 @@ void describe(Visitor& visit, P& p) {
                 "an edge of the surface may flip when its two faces are flat to this angle, before and after");
     visit.field("surface_gap", p.surface_gap, Range{0, 0.2},
                 "and when the surface moves by no more than this times the edges there");
+    visit.field("surface_gap_folded", p.surface_gap_folded, Range{0, 0.2},
+                "the same at a larger fold, up to 30 degrees: a triangle flatter than this is as good as none");
     visit.field("surface_gap_diagonal", p.surface_gap_diagonal, Range{0, 0.05},
                 "nor by more than this times the shell's diagonal");
     visit.field("target_deg", p.target_deg, Range{0, 60}, "tets as good as this smallest angle are left alone");
     visit.field("insert_below_deg", p.insert_below_deg, Range{0, 60},
                 "tets worse than this may get a node of their own");
+    visit.field("step_share", p.step_share, Range{0, 1},
+                "nodes that alone would allow less than this share of the median time step are relieved, the worst "
+                "first: they set the step of an explicit simulation; 0: none");
     visit.field(
         "slide", p.slide, Range{0, 0.5},
         "how far an unlocked shell vertex on a smooth part may slide along it, in its shortest edges; 0: no shell "
@@ -68,6 +75,7 @@ struct Operations {
     std::uint64_t contractions = 0;
     std::uint64_t insertions = 0;
     std::uint64_t slides = 0;
+    std::uint64_t step_changes = 0;
 };
 
 template <class Visitor, FieldsOf<Operations> P>
@@ -79,6 +87,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("contractions", p.contractions, "interior nodes merged into a neighbour");
     visit.field("insertions", p.insertions, "interior nodes added");
     visit.field("slides", p.slides, "steps of shell vertices");
+    visit.field("step_changes", p.step_changes, "changes of any kind that raised the smallest time step");
 }
 
 struct Repair {

@@ -159,6 +159,12 @@ bool plan_in_hole(const WorkMesh& mesh, Hole hole, double floor, Insertion& inse
 
 }
 
+bool plan_insertion_on_edge(const WorkMesh& mesh, const TetRing& ring, Index a, Index b, double floor,
+                            Insertion& insertion) {
+    if (!ring.is_closed || ring.tets.size() > largest_hole || !is_of_one_region(mesh, ring.tets)) return false;
+    return plan_in_hole(mesh, Hole(mesh, (mesh.at(a) + mesh.at(b)) * 0.5, ring.tets), floor, insertion);
+}
+
 bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& insertion) {
     const Tet corners = mesh.complex.corners(tet);
     const Vec3 middle = (mesh.at(corners[0]) + mesh.at(corners[1]) + mesh.at(corners[2]) + mesh.at(corners[3])) * 0.25;
@@ -168,9 +174,8 @@ bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& in
         const Index a = corners[edge[0]];
         const Index b = corners[edge[1]];
         mesh.complex.ring_of(tet, a, b, ring);
-        if (!ring.is_closed || ring.tets.size() > largest_hole || !is_of_one_region(mesh, ring.tets)) continue;
         if (is_found) floor = insertion.exchange.least;
-        is_found |= plan_in_hole(mesh, Hole(mesh, (mesh.at(a) + mesh.at(b)) * 0.5, ring.tets), floor, insertion);
+        is_found |= plan_insertion_on_edge(mesh, ring, a, b, floor, insertion);
     }
     return is_found;
 }

@@ -31,8 +31,12 @@ struct Insertion {
     Vec3 place;
 };
 
-// Tries the middle of the tet and of each of its edges. False unless every new tet is better than `floor` and exactly
+// At the middle of the edge (a, b), whose ring this is. False unless every new tet is better than `floor` and exactly
 // positive.
+[[nodiscard]] bool plan_insertion_on_edge(const WorkMesh& mesh, const TetRing& ring, Index a, Index b, double floor,
+                                          Insertion& insertion);
+
+// The best of the middles of the tet and of each of its edges. False likewise.
 [[nodiscard]] bool plan_insertion(const WorkMesh& mesh, Index tet, double floor, Insertion& insertion);
 
 }

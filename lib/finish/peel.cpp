@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "finish/surface_patch.h"
 #include "geometry/measures.h"
 #include "quality/tet_measures.h"
 

@@ -60,16 +60,22 @@ private:
         for (std::vector<Index>& part : tets_.parts_at(node_, along)) remove(std::move(part));
     }
 
-    // Parts that share the node but no face each get their own. That moves no surface, yet it opens a joint: it counts
-    // like the loss of a tet.
+    // Parts that share the node but no face each get their own, the largest keeps it. That moves no surface, yet it
+    // opens a joint: it counts like the loss of a tet.
     void split_parts() {
         std::vector<std::vector<Index>> parts = tets_.parts_at(node_, none);
         if (parts.size() < 2) return;
         double volume = 0;
+        double largest = 0;
         std::size_t count = 0;
-        for (const auto& part : parts) {
-            for (const Index t : part) volume += tets_.volume(t);
+        for (auto& part : parts) {
+            double of_part = 0;
+            for (const Index t : part) of_part += tets_.volume(t);
+            volume += of_part;
             count += part.size();
+            if (of_part <= largest) continue;
+            largest = of_part;
+            std::swap(parts.front(), part);
         }
         for (std::size_t i = 1; i < parts.size(); ++i) {
             SurfaceChange change;

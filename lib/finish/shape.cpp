@@ -40,6 +40,10 @@ double mean_ratio(double six_volumes, double edges_2) {
     return 12 * cube_root(six_volumes * six_volumes * 0.25) / edges_2;
 }
 
+double weighted(double ratio) {
+    return mean_ratio_weight * (ratio < mean_ratio_knee ? std::sqrt(ratio * mean_ratio_knee) : ratio);
+}
+
 }
 
 double cube_root(double x) {
@@ -71,11 +75,11 @@ double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     }
     const double sine = faces.six_volumes * std::sqrt(least);
     if (!(sine > 0)) return 0;
-    // The mean ratio wants a cube root: take it only where it is the smaller one.
+    // The mean ratio wants a cube root: take it only where it could be the smaller one.
     const double scale = 12 * mean_ratio_weight;
     const double cubed = scale * scale * scale * 0.25 * faces.six_volumes * faces.six_volumes;
     if (cubed > sine * sine * sine * (edges_2 * edges_2 * edges_2) * 1.0000001) return sine;
-    return std::min(sine, mean_ratio_weight * mean_ratio(faces.six_volumes, edges_2));
+    return std::min(sine, weighted(mean_ratio(faces.six_volumes, edges_2)));
 }
 
 ShapeTerms shape_terms(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
@@ -107,8 +111,10 @@ ShapeTerms shape_terms(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
         terms.gradient[edge] = change * sine;
     }
     const Vec3 of_edges = (a * 3 - b - c - d) * 2 / edges_2;
-    terms.value[6] = mean_ratio_weight * mean_ratio(faces.six_volumes, edges_2);
-    terms.gradient[6] = (of_volume * (2.0 / 3) - of_edges) * terms.value[6];
+    const double ratio = mean_ratio(faces.six_volumes, edges_2);
+    terms.value[6] = weighted(ratio);
+    const double power = ratio < mean_ratio_knee ? 0.5 : 1;
+    terms.gradient[6] = (of_volume * (2.0 / 3) - of_edges) * (power * terms.value[6]);
     return terms;
 }
 

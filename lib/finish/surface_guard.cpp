@@ -2,7 +2,6 @@
 #include "finish/surface_guard.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/measures.h"
 #include "geometry/predicates.h"
@@ -47,10 +46,9 @@ Vec3 normal_of(const Shell& shell, Index face) {
     return area_vector(shell.positions[a], shell.positions[b], shell.positions[c]);
 }
 
-// Both normals point to the same side and enclose an angle of at most this sine.
-bool is_fold_within(Vec3 n, Vec3 m, double sine_2) {
-    const Vec3 turn = cross(n, m);
-    return dot(n, m) > 0 && dot(turn, turn) <= sine_2 * dot(n, n) * dot(m, m);
+double squared_sine(double degrees) {
+    const double sine = shape_of_angle(degrees);
+    return sine * sine;
 }
 
 std::vector<Box> boxes_of(const Shell& shell) {
@@ -63,21 +61,15 @@ std::vector<Box> boxes_of(const Shell& shell) {
 
 }
 
-double gap_between(Vec3 a, Vec3 b, Vec3 p, Vec3 q) {
-    const Vec3 across = cross(b - a, q - p);
-    const double size = length(across);
-    return size > 0 ? std::fabs(dot(p - a, across)) / size : 0;
-}
-
 SurfaceGuard::SurfaceGuard(const Shell& shell, const SurfaceLimits& limits)
     : shell_(shell),
       limits_(limits),
       diagonal_(bounding_box(shell.positions).diagonal()),
       surface_(shell.positions, shell.triangles),
       triangles_(boxes_of(shell)) {
-    const double sine = shape_of_angle(limits.fold_deg);
-    fold_sine_2_ = sine * sine;
-    const double smooth_sine = shape_of_angle(smooth_fold_deg);
+    fold_sine_2_ = squared_sine(limits.fold_deg);
+    crease_sine_2_ = squared_sine(std::max(crease_deg, limits.fold_deg));
+    const double smooth_sine_2 = squared_sine(smooth_fold_deg);
     is_smooth_.assign(shell.positions.size(), 1);
     for (Index v = 0; v < is_smooth_.size(); ++v) is_smooth_[v] = !is_locked(shell, v);
     for (const Triangle& t : shell.triangles) faces_.push_back(turned(t));
@@ -86,17 +78,17 @@ SurfaceGuard::SurfaceGuard(const Shell& shell, const SurfaceLimits& limits)
     for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
         while (next < sides.size() && sides[next].edge == sides[i].edge) ++next;
         const auto& [a, b] = sides[i].edge;
-        if (next - i != 2 || !is_fold_within(normal_of(shell, sides[i].face), normal_of(shell, sides[i + 1].face),
-                                             smooth_sine * smooth_sine)) {
-            is_smooth_[a] = is_smooth_[b] = 0;
-        }
+        const auto folds_within = [&](double sine_2) {
+            return is_fold_within(normal_of(shell, sides[i].face), normal_of(shell, sides[i + 1].face), sine_2);
+        };
+        if (next - i != 2 || !folds_within(smooth_sine_2)) is_smooth_[a] = is_smooth_[b] = 0;
         if (next - i != 2 || (is_locked(shell, a) && is_locked(shell, b)) ||
             shell.component[sides[i].face] != shell.component[sides[i + 1].face]) {
             marked_.push_back(sides[i].edge);
-        } else if (!is_fold_within(normal_of(shell, sides[i].face), normal_of(shell, sides[i + 1].face),
-                                   fold_sine_2_)) {
-            sharp_.push_back(sides[i].edge);
+            continue;
         }
+        if (!folds_within(fold_sine_2_)) sharp_.push_back(sides[i].edge);
+        if (!folds_within(crease_sine_2_)) creases_.push_back(sides[i].edge);
     }
 }
 
@@ -104,41 +96,41 @@ bool SurfaceGuard::is_marked(Index a, Index b) const { return holds(marked_, sor
 
 bool SurfaceGuard::is_shell_triangle(Index a, Index b, Index c) const { return holds(faces_, turned({a, b, c})); }
 
-// The triangles (a, b, c) and (c, b, d).
-bool SurfaceGuard::is_flat(Vec3 a, Vec3 b, Vec3 c, Vec3 d) const {
-    return is_fold_within(area_vector(a, b, c), area_vector(c, b, d), fold_sine_2_);
+// By how much the surface may move; negative: not at all.
+double SurfaceGuard::allowed_gap(const SurfacePatch& patch, bool is_sharp) const {
+    if (!patch.is_flat(crease_sine_2_)) return -1;
+    const bool is_folded = is_sharp || !patch.is_flat(fold_sine_2_);
+    const double share =
+        is_folded ? std::min(limits_.share_of_edge_folded, limits_.share_of_edge) : limits_.share_of_edge;
+    return std::min(share * patch.mean_side(), limits_.share_of_diagonal * diagonal_);
 }
 
 // Where the new faces lie outside the old ones, nothing else of the shell may come near the space between.
-bool SurfaceGuard::is_clear(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const {
-    if (orient3d(mesh.at(a), mesh.at(p), mesh.at(b), mesh.at(q)) <= 0) return true;
+bool SurfaceGuard::is_clear(const SurfacePatch& patch, const std::array<Index, 4>& nodes) const {
+    if (orient3d(patch.a, patch.p, patch.b, patch.q) <= 0) return true;
     Box box;
-    for (const Index v : {a, b, p, q}) box.add(mesh.at(v));
+    for (const Vec3 v : {patch.a, patch.p, patch.b, patch.q}) box.add(v);
     bool clear = true;
     triangles_.touching(box, [&](Index f) {
         const Triangle& t = shell_.triangles[f];
-        clear = std::any_of(t.begin(), t.end(), [&](Index v) { return v == a || v == b || v == p || v == q; });
+        const bool is_joined = std::find_first_of(t.begin(), t.end(), nodes.begin(), nodes.end()) != t.end();
+        const auto& p = shell_.positions;
+        clear = is_joined || patch.is_clear_of({p[t[0]], p[t[1]], p[t[2]]});
         return !clear;
     });
     return clear;
 }
 
 bool SurfaceGuard::may_flip(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const {
-    for (const Index v : {a, b, p, q}) {
-        if (mesh.is_pinched[v]) return false;
-    }
-    if (is_marked(a, b) || holds(sharp_, sorted(a, b))) return false;
-    const Vec3 at_a = mesh.at(a);
-    const Vec3 at_b = mesh.at(b);
-    const Vec3 at_p = mesh.at(p);
-    const Vec3 at_q = mesh.at(q);
-    if (!is_flat(at_p, at_b, at_a, at_q) || !is_flat(at_a, at_p, at_q, at_b)) return false;
-    const double gap = gap_between(at_a, at_b, at_p, at_q);
-    const double sides = length(at_p - at_a) + length(at_b - at_p) + length(at_q - at_b) + length(at_a - at_q);
-    const double limit = std::min(limits_.share_of_edge * sides / 4, limits_.share_of_diagonal * diagonal_);
-    if (gap > limit || mesh.complex.find_edge(p, q) != none) return false;
-    const double before = distance_to_shell((at_a + at_b) * 0.5);
-    return distance_to_shell((at_p + at_q) * 0.5) <= std::max(before, limit) && is_clear(mesh, a, b, p, q);
+    const std::array<Index, 4> nodes{a, p, b, q};
+    if (std::any_of(nodes.begin(), nodes.end(), [&](Index v) { return mesh.is_pinched[v]; })) return false;
+    const Edge edge = sorted(a, b);
+    if (holds(marked_, edge) || holds(creases_, edge)) return false;
+    const SurfacePatch patch{mesh.at(a), mesh.at(p), mesh.at(b), mesh.at(q)};
+    const double limit = allowed_gap(patch, holds(sharp_, edge));
+    if (patch.gap() > limit || mesh.complex.find_edge(p, q) != none) return false;
+    const double before = distance_to_shell((patch.a + patch.b) * 0.5);
+    return distance_to_shell((patch.p + patch.q) * 0.5) <= std::max(before, limit) && is_clear(patch, nodes);
 }
 
 // The node must lie next to the new faces, on their outer side by no more than rounding: then only what was filled
@@ -166,12 +158,12 @@ bool SurfaceGuard::may_contract(std::span<const Vec3> at, std::span<const Edge> 
 
 bool SurfaceGuard::may_slide(std::span<const Vec3> at, std::span<const Edge> link, Index node, Vec3 home,
                              Vec3 to) const {
-    const double smooth_sine = shape_of_angle(smooth_fold_deg);
+    const double smooth_sine_2 = squared_sine(smooth_fold_deg);
     double nearest = 1e300;
     double edges = 0;
     for (const auto& [a, b] : link) {
         const Vec3 before = area_vector(at[node], at[a], at[b]);
-        if (!is_fold_within(before, area_vector(to, at[a], at[b]), smooth_sine * smooth_sine)) return false;
+        if (!is_fold_within(before, area_vector(to, at[a], at[b]), smooth_sine_2)) return false;
         nearest = std::min(nearest, length(closest_point_on_triangle(to, at[a], at[b], home) - home));
         edges += length(at[a] - at[node]);
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Says where the surface of the tets may change: an edge of it may give way to the other diagonal of the two faces
-// beside it only where that is as good as flat, keeps to the shell and crosses nothing that means something to the
-// artist.
+// beside it only where that is as good as flat or hardly moves the surface, keeps to the shell and crosses nothing that
+// means something to the artist.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "finish/surface_patch.h"
 #include "finish/work_mesh.h"
 #include "geometry/bvh.h"
 #include "geometry/surface_distance.h"
@@ -15,10 +18,14 @@
 namespace crumple::finish {
 
 struct SurfaceLimits {
-    double fold_deg = 0.5;            // between the two faces, before and after
-    double share_of_edge = 0.01;      // distance between the diagonals over the mean side of the four-cornered patch
-    double share_of_diagonal = 1e-3;  // the same over the shell's box diagonal
+    double fold_deg = 0.5;        // between the two faces, before and after
+    double share_of_edge = 0.01;  // distance between the diagonals over the mean side of the four-cornered patch
+    double share_of_edge_folded = 0.003;  // the same at a larger fold that is no crease
+    double share_of_diagonal = 1e-3;      // the same over the shell's box diagonal, flat or folded
 };
+
+// An edge that folds more is a crease and stays however near the other diagonal is.
+inline constexpr double crease_deg = 30;
 
 // A vertex whose edges fold less lies on a smooth part of the shell and not on one of its features.
 inline constexpr double smooth_fold_deg = 15;
@@ -56,25 +63,29 @@ public:
     // Box diagonal of the shell.
     [[nodiscard]] double diagonal() const { return diagonal_; }
 
+    // How far the surface may move, flat, where edges are this long, metres.
+    [[nodiscard]] double surface_reach(double edge) const {
+        return std::min(limits_.share_of_edge * edge, limits_.share_of_diagonal * diagonal_);
+    }
+
     [[nodiscard]] double distance_to_shell(Vec3 p) const { return surface_.closest(p).distance; }
 
 private:
-    [[nodiscard]] bool is_flat(Vec3 a, Vec3 b, Vec3 c, Vec3 d) const;
-    [[nodiscard]] bool is_clear(const WorkMesh& mesh, Index a, Index b, Index p, Index q) const;
+    [[nodiscard]] double allowed_gap(const SurfacePatch& patch, bool is_sharp) const;
+    [[nodiscard]] bool is_clear(const SurfacePatch& patch, const std::array<Index, 4>& nodes) const;
 
     const Shell& shell_;
     SurfaceLimits limits_;
     double fold_sine_2_;
+    double crease_sine_2_;
     double diagonal_;
     SurfaceDistance surface_;
     Bvh triangles_;
     std::vector<std::uint8_t> is_smooth_;
     std::vector<Edge> marked_;     // ascending
+    std::vector<Edge> creases_;    // of the shell, ascending
     std::vector<Edge> sharp_;      // of the shell, not flat to the limit; ascending
     std::vector<Triangle> faces_;  // smallest corner first, ascending
 };
-
-// Distance between the lines through (a, b) and (p, q), 0 where they are parallel.
-[[nodiscard]] double gap_between(Vec3 a, Vec3 b, Vec3 p, Vec3 q);
 
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "mesh/shapes.h"
@@ -105,6 +106,19 @@ TEST(Repair, PartsThatShareOnlyANodeGetOneEach) {
     ASSERT_EQ(repaired.mesh.positions.size(), 8u);
     EXPECT_EQ(repaired.mesh.positions[7], mesh.positions[0]);
     EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), repaired.mesh.positions.begin()));
+}
+
+TEST(Repair, TheLargestPartKeepsTheNode) {
+    // The first tet is the smaller one.
+    TetMesh mesh = bow_tie();
+    for (Index v = 1; v < 4; ++v) mesh.positions[v] = mesh.positions[0] + (mesh.positions[v] - mesh.positions[0]) * 0.5;
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    const Repaired repaired = repair_surface(mesh, {}, {});
+    ASSERT_EQ(repaired.report.split, 1u);
+    const Tet& smaller = repaired.mesh.tets[0];
+    const Tet& larger = repaired.mesh.tets[1];
+    EXPECT_TRUE(std::find(smaller.begin(), smaller.end(), 7u) != smaller.end());
+    EXPECT_TRUE(std::find(larger.begin(), larger.end(), 0u) != larger.end());
 }
 
 TEST(Repair, ALockedNodeIsNotCopied) {

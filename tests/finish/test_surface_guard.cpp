@@ -19,6 +19,17 @@ bool may_flip(const TetMesh& mesh, const Shell& shell, const SurfaceLimits& limi
     return SurfaceGuard(shell, limits).may_flip(WorkMesh(mesh), 0, 2, 1, 3);
 }
 
+// A part of the shell that hangs from above down to its tip.
+void add_tet(Shell& shell, Vec3 tip) {
+    const Index first = static_cast<Index>(shell.positions.size());
+    for (const Vec3 by : {Vec3{}, Vec3{0.1, 0, 0.5}, Vec3{0, 0.1, 0.5}, Vec3{-0.1, -0.1, 0.5}})
+        shell.positions.push_back(tip + by);
+    for (const auto& face : tet_face_corners)
+        shell.triangles.push_back({first + face[0], first + face[1], first + face[2]});
+    shell.component.resize(shell.triangles.size(), 0);
+    shell.locked.resize(shell.positions.size(), 0);
+}
+
 TEST(SurfaceGuard, TheRoofIsWhatTheTestsSay) {
     const TetMesh mesh = roof(0);
     ASSERT_TRUE(small::is_all_positive(mesh));
@@ -95,12 +106,37 @@ TEST(SurfaceGuard, NewFacesOutsideTheOldOnesKeepAwayFromOtherParts) {
     SurfaceLimits limits;
     Shell shell = small::shell_of(mesh);
     ASSERT_TRUE(may_flip(mesh, shell, limits));
-    const Index first = static_cast<Index>(shell.positions.size());
-    for (const Vec3 p : {Vec3{0.5, 0.5, 0.001}, Vec3{0.6, 0.5, 0.5}, Vec3{0.5, 0.6, 0.5}}) shell.positions.push_back(p);
-    shell.triangles.push_back({first, first + 1, first + 2});
-    shell.component.push_back(0);
-    shell.locked.resize(shell.positions.size());
+    add_tet(shell, {0.5, 0.5, 0.001});
     EXPECT_FALSE(may_flip(mesh, shell, limits));
+}
+
+TEST(SurfaceGuard, OtherPartsBesideAndBehindTheNewFacesAreNotInTheWay) {
+    const TetMesh mesh = roof(0.003);
+    for (const Vec3 tip : {Vec3{0.5, 0.5, 0.1}, Vec3{1.3, 1.3, 0.001}, Vec3{0.5, 0.5, -0.8}}) {
+        Shell shell = small::shell_of(mesh);
+        add_tet(shell, tip);
+        EXPECT_TRUE(may_flip(mesh, shell)) << tip.x << ' ' << tip.z;
+    }
+}
+
+TEST(SurfaceGuard, AtAFoldTheSurfaceMayMoveLess) {
+    // The lifted node is that of a flat triangle: hardly beyond the diagonal, so its fold means nothing.
+    TetMesh mesh = roof(0);
+    mesh.positions[1] = {0.501f, 0.499f, 0.0002f};
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    SurfaceLimits limits;
+    EXPECT_TRUE(may_flip(mesh, small::shell_of(mesh), limits));
+    limits.share_of_edge_folded = 0;
+    EXPECT_FALSE(may_flip(mesh, small::shell_of(mesh), limits));
+    limits.fold_deg = 15;
+    EXPECT_TRUE(may_flip(mesh, small::shell_of(mesh), limits)) << "then it is no fold";
+}
+
+TEST(SurfaceGuard, ACreaseStaysHoweverNearTheOtherDiagonalIs) {
+    TetMesh mesh = roof(0);
+    mesh.positions[1] = {0.5001f, 0.4999f, 0.0002f};
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    EXPECT_FALSE(may_flip(mesh, small::shell_of(mesh)));
 }
 
 TEST(SurfaceGuard, TheGapIsTheDistanceOfTheTwoLines) {
