@@ -143,9 +143,24 @@ inline Strain deviator(Strain e) {
     return e;
 }
 
-// eps_p += c (1 - y / |d|) d, |eps_p| <= max [Mueller, Gross 2004, with the exact exponential in place of dt creep].
-inline void flow_additive(const ElementJob& job, const TetPacket& packet, TetState& state, int lane, Strain& e,
-                          const Strain& d, Lanes size, Mask yields) {
+// A secant is never flatter than this part of the elastic stiffness, for float.
+inline constexpr float least_secant = 1e-3f;
+
+// What a tet answers with in this step.
+struct Moduli {
+    Lanes stiffness;  // V mu
+    Lanes ratio;      // lambda / mu
+};
+
+// What additive flow does to plastic strain and yield.
+struct AdditiveFlow {
+    Strain plastic;   // eps_p + c (1 - y / |d|) d, |eps_p| <= max
+    Lanes hardening;  // rise of the yield strain
+};
+
+// [Mueller, Gross 2004, with the exact exponential in place of dt creep.] Of the lanes that yield.
+inline AdditiveFlow flowed(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane,
+                           const Strain& d, Lanes size, Mask yields) {
     float fraction_row[16] = {}, hardening_row[16] = {}, limit_row[16] = {};
     for (int l = 0; l < Lanes::width; ++l) {
         const StepMaterial& material = job.materials[packet.material[lane + l]];
@@ -159,21 +174,62 @@ inline void flow_additive(const ElementJob& job, const TetPacket& packet, TetSta
                        max(Lanes::load(packet.stiffness + lane), Lanes::all(1e-30f));
     const Lanes amount = Lanes::load(fraction_row) * (size - yield) / (Lanes::all(1) + rise);
     const Lanes factor = select(yields, amount / size, Lanes::all(0));
-    Strain plastic;
-    for (int i = 0; i < 6; ++i) plastic.e[i] = fma(factor, d.e[i], Lanes::load(state.plastic[i] + lane));
+    AdditiveFlow result;
+    for (int i = 0; i < 6; ++i) {
+        result.plastic.e[i] = fma(factor, d.e[i], Lanes::load(state.plastic[i] + lane));
+    }
     const Lanes limit = Lanes::load(limit_row);
-    const Lanes plastic_size = root(squared(plastic));
+    const Lanes plastic_size = root(squared(result.plastic));
     const Mask is_full = plastic_size > limit;
     const Lanes clamp = select(is_full, limit / plastic_size, Lanes::all(1));
     for (int i = 0; i < 6; ++i) {
-        const Lanes old = Lanes::load(state.plastic[i] + lane);
-        const Lanes now = select(yields, plastic.e[i] * clamp, old);
-        e.e[i] = e.e[i] - (now - old);
-        now.store(state.plastic[i] + lane);
+        result.plastic.e[i] = select(yields, result.plastic.e[i] * clamp, Lanes::load(state.plastic[i] + lane));
     }
-    const Lanes risen =
-        fma(rise, select(yields & !is_full, amount, Lanes::all(0)), Lanes::load(state.hardening + lane));
-    risen.store(state.hardening + lane);
+    result.hardening = fma(rise, select(yields & !is_full, amount, Lanes::all(0)), Lanes::load(state.hardening + lane));
+    return result;
+}
+
+// The lanes that yield, by the size of the deviator. A strain beyond any limit is on its way to overflow; its direction
+// is noise.
+inline Mask yielding(const TetPacket& packet, const TetState& state, int lane, Lanes size, Mask is_bad) {
+    const Lanes yield = Lanes::load(packet.yield_strain + lane) + Lanes::load(state.hardening + lane);
+    return (size > yield) & (size <= Lanes::all(1e9f)) & !is_bad;
+}
+
+inline void flow_additive(const ElementJob& job, const TetPacket& packet, TetState& state, int lane, Strain& e,
+                          const Strain& d, Lanes size, Mask yields) {
+    const AdditiveFlow now = flowed(job, packet, state, lane, d, size, yields);
+    for (int i = 0; i < 6; ++i) {
+        e.e[i] = e.e[i] - (now.plastic.e[i] - Lanes::load(state.plastic[i] + lane));
+        now.plastic.e[i].store(state.plastic[i] + lane);
+    }
+    now.hardening.store(state.hardening + lane);
+}
+
+// A tet that will yield in this step pushes back with what is left after the flow, its damping included: by the secant
+// to the strain it is heading for, which keeps the step linear and its matrix positive definite [Kachanov's iteration,
+// once: Ladyzhenskaya; Zeidler 1990, vol. II/B, section 25.14]. Volume keeps its stiffness. Without it the stress of a
+// step grows with the strain of a step, and dents with the rate of steps.
+inline Moduli secant(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane,
+                     const Strain& ahead, Mask is_bad, unsigned& softened) {
+    const Moduli whole{Lanes::load(packet.stiffness + lane), Lanes::load(packet.ratio + lane)};
+    softened = 0;
+    if (job.settings.plasticity != Plasticity::additive) return whole;
+    const Strain d = deviator(ahead);
+    const Lanes size = root(squared(d));
+    const Mask yields = yielding(packet, state, lane, size, is_bad);
+    softened = bits(yields);
+    if (softened == 0) return whole;
+    const AdditiveFlow then = flowed(job, packet, state, lane, d, size, yields);
+    Lanes gone = Lanes::all(0);  // (eps_p afterwards - before) : d
+    for (int i = 0; i < 6; ++i) {
+        const Lanes part = (then.plastic.e[i] - Lanes::load(state.plastic[i] + lane)) * d.e[i];
+        gone = gone + (i < 3 ? part : part + part);
+    }
+    const Lanes one = Lanes::all(1);
+    const Lanes left = max(Lanes::all(least_secant), one - gone / (size * size));
+    const Lanes s = select(yields, left, one);
+    return {whole.stiffness * s, fma(Lanes::all(2.0f / 3), one - s, whole.ratio) / s};
 }
 
 inline void flow_multiplicative(const ElementJob& job, const TetPacket& packet, TetState& state, TetShape& shape,
@@ -186,11 +242,11 @@ inline void flow_multiplicative(const ElementJob& job, const TetPacket& packet, 
 }
 
 // Writes sqrt(V mu (beta dt + dt^2)) R g of the four corners, and lambda / mu.
-inline void write_gradients(const TetPacket& packet, int lane, float dt, const Lanes (&r)[9], const Lanes (&g)[9],
-                            float* out) {
+inline void write_gradients(const TetPacket& packet, const Moduli& moduli, int lane, float dt, const Lanes (&r)[9],
+                            const Lanes (&g)[9], float* out) {
     const Lanes step = Lanes::all(dt);
-    const Lanes scale = root(Lanes::load(packet.stiffness + lane) * step * (Lanes::load(packet.beta_s + lane) + step));
-    const Lanes ratio = Lanes::load(packet.ratio + lane);
+    const Lanes scale = root(moduli.stiffness * step * (Lanes::load(packet.beta_s + lane) + step));
+    const Lanes ratio = moduli.ratio;
     const Lanes zero = Lanes::all(0);
     Lanes sum[3] = {zero, zero, zero};
     for (int k = 0; k < 3; ++k) {
@@ -205,11 +261,11 @@ inline void write_gradients(const TetPacket& packet, int lane, float dt, const L
 }
 
 // f = -dt V R (lambda tr(eps) I + 2 mu eps) g of the four corners.
-inline void write_forces(const TetPacket& packet, int lane, float dt, const Lanes (&r)[9], const Lanes (&g)[9],
-                         const Strain& e, float* out) {
-    const Lanes scale = Lanes::load(packet.stiffness + lane) * Lanes::all(-dt);
+inline void write_forces(const Moduli& moduli, float dt, const Lanes (&r)[9], const Lanes (&g)[9], const Strain& e,
+                         float* out) {
+    const Lanes scale = moduli.stiffness * Lanes::all(-dt);
     const Lanes two = scale + scale;
-    const Lanes pressure = scale * Lanes::load(packet.ratio + lane) * trace(e);
+    const Lanes pressure = scale * moduli.ratio * trace(e);
     const Lanes xx = fma(two, e.e[0], pressure), yy = fma(two, e.e[1], pressure), zz = fma(two, e.e[2], pressure);
     const Lanes xy = two * e.e[3], xz = two * e.e[4], yz = two * e.e[5];
     const Lanes zero = Lanes::all(0);
@@ -246,9 +302,7 @@ inline unsigned flow(const ElementJob& job, const TetPacket& packet, TetState& s
     if (job.settings.plasticity == Plasticity::off) return 0;
     const Strain dev = deviator(e);
     const Lanes size = root(squared(dev));
-    const Lanes yield = Lanes::load(packet.yield_strain + lane) + Lanes::load(state.hardening + lane);
-    // A strain beyond any limit is on its way to overflow; its direction is noise.
-    const Mask yields = (size > yield) & (size <= Lanes::all(1e9f)) & !is_bad;
+    const Mask yields = yielding(packet, state, lane, size, is_bad);
     if (bits(yields) == 0) return 0;
     if (shape == nullptr) {
         flow_additive(job, packet, state, lane, e, dev, size, yields);
@@ -292,8 +346,8 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
     to_matrix(q, r);
 
     Strain e = elastic_strain(r, f, state, lane);
-    energy = energy + strain_energy(packet, lane, e);
     const unsigned yields = flow(job, packet, state, shape, lane, d, r, g, f, is_bad, e);
+    energy = energy + strain_energy(packet, lane, e);
     // The strain where the solve linearizes: at x + (beta + dt) v with R as it is.
     Lanes rate[9];
     deformation(gather_edges(job.velocities, packet, lane), g, rate);
@@ -302,11 +356,14 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
     for (int i = 0; i < 6; ++i) e.e[i] = fma(ahead, strain_rate.e[i], e.e[i]);
 
     const std::size_t first = 16 * (packet_size * p + static_cast<std::size_t>(lane));
-    write_gradients(packet, lane, job.settings.dt, r, g, job.gradients + first);
-    write_forces(packet, lane, job.settings.dt, r, g, e, job.forces + first);
+    unsigned softened = 0;
+    const Moduli moduli = secant(job, packet, state, lane, e, is_bad, softened);
+    write_gradients(packet, moduli, lane, job.settings.dt, r, g, job.gradients + first);
+    write_forces(moduli, job.settings.dt, r, g, e, job.forces + first);
     const Mask is_real = Lanes::load(packet.stiffness + lane) > Lanes::all(0);  // not padding
     return {static_cast<std::uint32_t>(__builtin_popcount(bits(is_bad & is_real))),
-            static_cast<std::uint32_t>(__builtin_popcount(yields)), 0};
+            static_cast<std::uint32_t>(__builtin_popcount(yields)),
+            static_cast<std::uint32_t>(__builtin_popcount(softened)), 0};
 }
 
 inline ElementCounts step_elements(const ElementJob& job, std::size_t begin, std::size_t end) {
@@ -317,10 +374,26 @@ inline ElementCounts step_elements(const ElementJob& job, std::size_t begin, std
             const ElementCounts some = step_lanes(job, p, lane, energy);
             counts.degenerate += some.degenerate;
             counts.yielding += some.yielding;
+            counts.softened += some.softened;
         }
     }
     counts.energy = total(energy);
     return counts;
+}
+
+// What additive flow leaves of the elastic strain at the begin of the next step.
+inline Strain strain_left(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane, Strain e,
+                          Mask is_bad) {
+    if (job.settings.plasticity != Plasticity::additive) return e;
+    const Strain d = deviator(e);
+    const Lanes size = root(squared(d));
+    const Mask yields = yielding(packet, state, lane, size, is_bad);
+    if (bits(yields) == 0) return e;
+    const AdditiveFlow then = flowed(job, packet, state, lane, d, size, yields);
+    for (int i = 0; i < 6; ++i) {
+        e.e[i] = e.e[i] - (then.plastic.e[i] - Lanes::load(state.plastic[i] + lane));
+    }
+    return e;
 }
 
 // The elastic energy a step from the job's positions would start with. Leaves the rotations there.
@@ -341,7 +414,9 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
             // What a degenerate tet does depends on its last rotation: that of a way not taken must not stay.
             store_rotor(select(is_bad, load_rotor(state.rotation, lane), q), job.states[p].rotation, lane);
             to_matrix(q, r);
-            energy = energy + strain_energy(packet, lane, elastic_strain(r, f, state, lane));
+            energy = energy +
+                     strain_energy(packet, lane,
+                                   strain_left(job, packet, state, lane, elastic_strain(r, f, state, lane), is_bad));
         }
     }
     return total(energy);

@@ -32,7 +32,8 @@ struct ElementJob {
 struct ElementCounts {
     std::uint32_t degenerate = 0;
     std::uint32_t yielding = 0;
-    double energy = 0;  // elastic, before the flow of this step, J
+    std::uint32_t softened = 0;  // tets that will yield in this step
+    double energy = 0;           // elastic, J: what the flow of this step leaves
 };
 
 // Right-hand side b - A v of the solve for the change of velocity. Over nodes.
@@ -117,7 +118,8 @@ constexpr std::size_t inverse_at(std::size_t node) { return node / 4 * 48 + node
 
 struct Kernels {
     ElementCounts (*elements)(const ElementJob&, std::size_t begin, std::size_t end);
-    double (*energies)(const ElementJob&, std::size_t begin, std::size_t end);  // elastic; turns the tets
+    double (*energies)(const ElementJob&, std::size_t begin,
+                       std::size_t end);  // elastic, after the next flow; turns the tets
     void (*rotations)(RotationPacket*, std::size_t begin, std::size_t end);
     void (*loads)(const LoadJob&, std::size_t begin, std::size_t end);
     void (*edges)(const EdgeJob&, std::size_t begin, std::size_t end);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "solver/measure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crumple::solver {
 namespace {
 
-double strain_energy(const TetPacket& packet, const TetState& state, std::size_t lane, const Mat3& f, const Mat3& r) {
+// What is due to flow at the begin of the next step is gone already.
+double strain_energy(const TetPacket& packet, const TetState& state, std::size_t lane, const Mat3& f, const Mat3& r,
+                     double flow) {
     const Mat3 s = transpose(r) * f;
     const int rows[6] = {0, 1, 2, 0, 0, 1};
     const int columns[6] = {0, 1, 2, 1, 2, 2};
@@ -19,8 +22,22 @@ double strain_energy(const TetPacket& packet, const TetState& state, std::size_t
         squared += (i < 3 ? 1 : 2) * e * e;
         if (i < 3) trace_e += e;
     }
+    const double deviator = std::max(0.0, squared - trace_e * trace_e / 3);
+    const double size = std::sqrt(deviator);
+    const double yield = static_cast<double>(packet.yield_strain[lane]) + state.hardening[lane];
+    const double left = size > yield ? size - flow * (size - yield) : size;
+    squared += left * left - deviator;
     return packet.stiffness[lane] * (squared + 0.5 * packet.ratio[lane] * trace_e * trace_e);
 }
+
+// The part of the strain beyond yield that the next step takes; multiplicative flow is left to it.
+double flow_of(const Model& model, const State& state, std::size_t t) {
+    if (!state.shapes.empty()) return 0;
+    const ModelMaterial& m = model.materials[model.bundle.material[t]];
+    return 1 - std::exp(-static_cast<double>(m.creep_per_s) * static_cast<double>(state.header->last_dt));
+}
+
+constexpr float degenerate = 0.1f;  // of det F: such tets do not flow
 
 }
 
@@ -77,7 +94,8 @@ double elastic_energy(const Model& model, const State& state, EnergyRotation whi
         const Mat3 f = deformation_gradient(model, state, t);
         const Mat3 last = rotation(state, t);
         energy += strain_energy(model.packets[t / packet_size], state.tets[t / packet_size], t % packet_size, f,
-                                which == EnergyRotation::nearest ? rotation_svd_smallest(f, last) : last);
+                                which == EnergyRotation::nearest ? rotation_svd_smallest(f, last) : last,
+                                determinant(f) > degenerate ? flow_of(model, state, t) : 0);
     }
     return energy;
 }

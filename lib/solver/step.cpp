@@ -69,6 +69,7 @@ ElementCounts run_elements(const ElementJob& job, const Model& model, Workspace&
     for (std::size_t i = 0; i * packets_per_piece < model.packets.size(); ++i) {
         total.degenerate += w.counts[i].degenerate;
         total.yielding += w.counts[i].yielding;
+        total.softened += w.counts[i].softened;
         total.energy += w.counts[i].energy;
     }
     return total;
@@ -82,14 +83,14 @@ void gather_loads(const Model& model, Workspace& w, const Kernels& kernels, cons
 }
 
 // Says whether some node was too light beside its stiffness for float.
-bool assemble(const Model& model, Workspace& w, const Kernels& kernels, const Jobs& jobs) {
+bool assemble(const Model& model, Workspace& w, bool is_uniform, const Kernels& kernels, const Jobs& jobs) {
     const EdgeJob edges{model.bundle.edge_start.data(),
                         model.incidence.data(),
                         model.bundle.edge_slots.data()->data(),
                         w.gradients.data(),
                         w.blocks.data(),
                         model.ratio,
-                        model.is_uniform};
+                        is_uniform};
     for_pieces(jobs, model.edge_count, edges_per_piece,
                [&](std::size_t, std::size_t b, std::size_t e) { kernels.edges(edges, b, e); });
     const RowJob rows{model.bundle.row_start.data(), model.bundle.diagonal.data(), w.damped_mass.data(),
@@ -119,7 +120,7 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     const ElementJob elements = element_job(model, state, workspace, input, settings);
     const ElementCounts counts = run_elements(elements, model, workspace, wide, jobs);
     gather_loads(model, workspace, wide, jobs);
-    const bool is_too_stiff = assemble(model, workspace, wide, jobs);
+    const bool is_too_stiff = assemble(model, workspace, model.is_uniform && counts.softened == 0, wide, jobs);
     list_partials(model, workspace, input);
     constrain_inverse(model, workspace, constraints.partial);
     Whole whole;
@@ -144,6 +145,7 @@ StepReport step(const Model& model, State& state, Workspace& workspace, const St
     report.residual = solved.residual;
     report.degenerate = counts.degenerate;
     report.yielding = counts.yielding;
+    report.start_energy = ledger.energy;
     report.energy = end.energy;
     report.impulse = end.impulse;
     report.angular_impulse = end.angular_impulse;

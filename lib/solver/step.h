@@ -98,7 +98,8 @@ struct StepReport {
     std::uint32_t degenerate = 0;  // tets with det F <= threshold at the start of the step
     std::uint32_t yielding = 0;    // tets that flowed plastically
     std::uint32_t warnings = 0;
-    double energy = 0;  // kinetic and elastic at the end, J
+    double start_energy = 0;  // kinetic and elastic when it began, as it saw them, J
+    double energy = 0;        // at the end
     // What forces, wind and the constraints of nodes that are not locked gave, about the origin of the frame. Gravity
     // and inertia are not in it.
     Vec3 impulse;          // N s

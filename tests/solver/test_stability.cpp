@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "solver/body.h"
+#include "solver/effort.h"
 
 namespace crumple::solver::test {
 namespace {
@@ -23,22 +24,6 @@ Material crash_material() {
 
 double total_energy(const Body& body) {
     return kinetic_energy(body.model, body.state) + elastic_energy(body.model, body.state);
-}
-
-// What a step would start from, with the rotations it would use: those of inverted tets are not the nearest ones.
-double energy_as_stepped(Body& body, float dt) {
-    const std::vector<std::byte> before(body.bytes().begin(), body.bytes().end());
-    body.step(dt);
-    const std::vector<TetState> stepped(body.state.tets.begin(), body.state.tets.end());
-    std::memcpy(body.bytes().data(), before.data(), before.size());
-    std::vector<TetState> own(body.state.tets.begin(), body.state.tets.end());
-    for (std::size_t p = 0; p < own.size(); ++p) {
-        std::memcpy(body.state.tets[p].rotation, stepped[p].rotation, sizeof stepped[p].rotation);
-    }
-    const double seen =
-        kinetic_energy(body.model, body.state) + elastic_energy(body.model, body.state, EnergyRotation::of_state);
-    std::copy(own.begin(), own.end(), body.state.tets.begin());
-    return seen;
 }
 
 // A caller's threads, the crudest way: pieces in turn, backwards on one of them.
@@ -125,6 +110,7 @@ TEST(S3BeamCollapse, ComesBackWholeWhenItIsStiffAgain) {
         return grid_body({16, 2, 2}, {0.2f, 0.1f, 0.1f}, m, [](Vec3f p) { return p.x < 0.01f || p.x > 3.19f; });
     };
     for (const Treatment treatment : {Treatment::reflect, Treatment::project, Treatment::smooth}) {
+        if (test::is_emulated() && treatment != Treatment::reflect) continue;
         Settings settings;
         settings.treatment = treatment;
         settings.max_iterations = 60;
@@ -181,6 +167,7 @@ TEST(S7StiffnessSweep, AStretchedFreeBodyNeverGainsEnergy) {
     for (const double young : {1e3, 1e5, 1e7}) {
         for (const double poisson : {0.0, 0.3, 0.499}) {
             for (const double rate : {30.0, 240.0}) {
+                if (test::is_emulated() && (poisson == 0.3 || rate == 240)) continue;
                 Settings settings;
                 settings.max_iterations = 200;
                 settings.tolerance = 1e-5;
@@ -188,7 +175,7 @@ TEST(S7StiffnessSweep, AStretchedFreeBodyNeverGainsEnergy) {
                 body.set_positions([](Vec3f p) { return p * 1.2f; });
                 const double before = total_energy(body);
                 double most = 0;
-                for (int i = 0; i < 1000; ++i) {
+                for (int i = 0; i < test::effort(1000, 1000, 100); ++i) {
                     body.step(static_cast<float>(1 / rate));
                     if (i % 25 == 0 || i < 10) most = std::max(most, total_energy(body));
                 }
@@ -221,7 +208,7 @@ constexpr std::uint64_t crash_runs = 150;  // with sanitizers a run takes twenty
 // energy that was put in. CRUMPLE_FULL_TESTS=1 makes it 100,000 runs.
 TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
     int cut = 0;
-    const std::uint64_t runs = std::getenv("CRUMPLE_FULL_TESTS") ? 100000 : crash_runs;
+    const std::uint64_t runs = test::effort<std::uint64_t>(crash_runs, 100000, 60);
     for (std::uint64_t seed = 0; seed < runs; ++seed) {
         Rng rng(seed, 10);
         const auto between = [&](double low, double high) { return low * std::pow(high / low, rng.next_unit()); };
@@ -251,11 +238,14 @@ TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
         const double speed = between(1, 100);
         if (seed % 4 == 1) body.set_velocities([&](Vec3f) { return Vec3f{static_cast<float>(-speed), 0, 0}; });
         const auto dt = static_cast<float>(between(1.0 / 500, 1.0 / 20));
-        const double allowed = energy_as_stepped(body, dt);
+        // As the solver sees them: inverted tets hold on to more than the rotation nearest to them would.
+        double allowed = 0;
         double most = 0;
         for (int i = 0; i < 30; ++i) {
-            cut += (body.step(dt).warnings & step_restrained) != 0;
-            if (i % 3 == 0) most = std::max(most, energy_as_stepped(body, dt));
+            const StepReport report = body.step(dt);
+            if (i == 0) allowed = report.start_energy;
+            cut += (report.warnings & step_restrained) != 0;
+            most = std::max({most, report.start_energy, i % 3 == 0 ? total_energy(body) : 0});
         }
         // Strains of float rounding, 1e-7, are no motion.
         double noise = 0;
@@ -302,6 +292,7 @@ TEST(S11Determinism, ThreadsDoNotChangeABit) {
     crash(alone, 20);
     EXPECT_GT(alone.model.packets.size(), 10 * packets_per_piece);
     for (const int count : {2, 5}) {
+        if (test::is_emulated() && count == 5) continue;
         Body together(long_bar());
         Threads threads{count};
         crash(together, 20, threads.jobs());
