@@ -2,6 +2,7 @@
 #include "cli/import_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "pipeline/input_digests.h"
 
@@ -66,7 +67,9 @@ importer::Sources sources_of(const ImportFlags& flags) {
 
 std::vector<std::string> input_paths(const importer::Sources& sources, const pipeline::Recipe& recipe) {
     std::vector<std::string> paths;
-    for (const importer::InputFile& file : pipeline::input_files(sources, recipe)) paths.push_back(file.path);
+    for (const importer::InputFile& file : pipeline::input_files(sources, recipe)) {
+        if (std::find(paths.begin(), paths.end(), file.path) == paths.end()) paths.push_back(file.path);
+    }
     return paths;
 }
 

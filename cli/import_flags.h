@@ -32,7 +32,7 @@ void apply_settings(pipeline::Recipe& recipe, const std::vector<Setting>& settin
 
 [[nodiscard]] importer::Sources sources_of(const ImportFlags& flags);
 
-// Every file that import would read for the recipe, those that the artist's files need included.
+// Every file that import would read for the recipe, those that the artist's files need included, each once.
 [[nodiscard]] std::vector<std::string> input_paths(const importer::Sources& sources, const pipeline::Recipe& recipe);
 
 }

@@ -128,6 +128,16 @@ std::string summary_text(const CookReport& report, const std::string& output, bo
            (report.output.is_unchanged ? ", unchanged\n" : "\n");
 }
 
+// What stopped the cook is said first, and stays the reason when the report cannot be written either.
+int end_failed(const CookFlags& flags, const CookReport& report, const Console& console) {
+    console.error(report.error);
+    (void)run_guarded(console, [&] {
+        put_report(flags, report, console);
+        return exit_ok;
+    });
+    return report.exit_code;
+}
+
 void put_depfile(const CookFlags& flags, const std::vector<std::string>& inputs, const Console& console) {
     if (flags.depfile.empty()) return;
     const std::string text = depfile_text(flags.output.path, inputs);
@@ -159,12 +169,9 @@ int cook_now(CookCall call, const Console& console, const pipeline::Permission& 
         report.error = "out of memory";
         report.exit_code = exit_code_of(ErrorKind::budget);
     }
-    put_report(flags, report, console);
     if (report.output.is_rejected) console.talk(summary_text(report, request.output, console.colors_talk()));
-    if (report.exit_code != exit_ok) {
-        console.error(report.error);
-        return report.exit_code;
-    }
+    if (report.exit_code != exit_ok) return end_failed(flags, report, console);
+    put_report(flags, report, console);
     put_depfile(flags, call.inputs, console);
     console.talk(summary_text(report, request.output, console.colors_talk()));
     return exit_ok;
@@ -214,9 +221,7 @@ int cook_within(CookCall call, const Console& console) {
         report.error = error.what();
         if (!report.stopped_in.empty()) report.error += "; it was in " + report.stopped_in;
         report.exit_code = exit_code_of(error.kind());
-        console.error(report.error);
-        put_report(flags, report, console);
-        return report.exit_code;
+        return end_failed(flags, report, console);
     }
 }
 

@@ -78,6 +78,10 @@ class Buffers(program.Case):
         self.fails(process, 1, "would replace an input")
         self.assertEqual(self.buffer.read_bytes(), before)
 
+    def test_one_that_several_files_need_is_named_once(self):
+        process = self.ok(self.cook("--visual", f"skin={self.gltf}", "--depfile", "-"))
+        self.assertEqual(process.stdout, f"{self.output}: {self.gltf} {self.buffer}\n")
+
     def test_of_visual_meshes_they_count_too(self):
         report = self.path("report.json")
         self.ok(program.run("cook", "smoke", "--shell", self.shell, "--visual", f"skin={self.gltf}", "-o", self.output,
