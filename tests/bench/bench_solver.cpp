@@ -35,6 +35,8 @@ void add_all(bool quick) {
         add("two_threads_50k", [](Rows& rows) { add_two_threads(rows, make_bar(BarSize::large), 48); });
     }
     add("tip_error", [](Rows& rows) { add_tip_error(rows, make_bar(BarSize::small)); });
+    add("table1", [quick](Rows& rows) { add_recovery_table(rows, quick ? 11 : 100); });
+    add("table3", add_rotation_table);
     add("scramble", [quick](Rows& rows) { add_scramble(rows, quick ? 31 : 100); });
 }
 

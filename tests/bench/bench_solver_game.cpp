@@ -7,6 +7,7 @@
 #include "bench/bench_solver_rows.h"
 #include "bench/second_worker.h"
 #include "bench/solver_car.h"
+#include "bench/stream_read.h"
 #include "bundle/blob.h"
 #include "solver/blob_view.h"
 #include "solver/body.h"
@@ -32,20 +33,12 @@ Bundle car_sized() {
     return grid_body({18, 9, 9}, {0.25f, 0.2f, 0.15f}, bodywork(), [](Vec3f p) { return p.x > 4; });
 }
 
-// Read of as many bytes, the wider of the two directions a vertex moves.
+// Read of as many bytes.
 double read_seconds(std::size_t bytes) {
-    const std::vector<std::uint64_t> data(bytes / 8, 1);
+    const std::vector<float> data(bytes / 4, 1.0f);
     double best = 1e30;
-    volatile std::uint64_t sink = 0;
-    for (int round = 0; round < 10; ++round) {
-        best = std::min(best, seconds([&] {
-                            std::uint64_t sums[8] = {};
-                            for (std::size_t i = 0; i + 8 <= data.size(); i += 8) {
-                                for (std::size_t k = 0; k < 8; ++k) sums[k] += data[i + k];
-                            }
-                            sink = sums[0] + sums[1] + sums[2] + sums[3] + sums[4] + sums[5] + sums[6] + sums[7];
-                        }));
-    }
+    volatile float sink = 0;
+    for (int round = 0; round < 10; ++round) best = std::min(best, seconds([&] { sink = sum_of(data); }));
     (void)sink;
     return best;
 }

@@ -12,7 +12,9 @@ namespace {
 
 using solver::Isa;
 using solver::packet_size;
+using solver::RotationMethod;
 using solver::Settings;
+using solver::Treatment;
 using solver::test::Body;
 
 struct RotationSet {
@@ -54,7 +56,7 @@ double time_jacobi(const RotationSet& set) {
 
 // S2: independent tets whose fourth corner swings through its face, half of the time on the wrong side, against a
 // swing that stays on the right one. Time of all that is done per tet, rotation, force and gradients.
-double time_swings(solver::Treatment treatment, bool is_inverting) {
+double time_swings(RotationMethod rotation, Treatment treatment, bool is_inverting) {
     constexpr Index count = 8192;
     std::vector<Vec3f> positions;
     std::vector<Tet> tets;
@@ -71,6 +73,7 @@ double time_swings(solver::Treatment treatment, bool is_inverting) {
         body.workspace.forces.data(), body.workspace.materials.data(), {}};
     job.settings.dt = job.settings.last_dt = 0.01f;
     job.settings.treatment = treatment;
+    if (rotation != RotationMethod::apd) job.settings.rotation = rotation_function(rotation);
     job.settings.plasticity = solver::Plasticity::off;
     const auto& k = solver::kernels(solver::best_isa());
     double total = 0;
@@ -108,11 +111,20 @@ void add_rotations(Rows& rows, const std::string& name, Isa isa) {
 }
 
 void add_half_inverted(Rows& rows) {
-    const double upright = time_swings(solver::Treatment::reflect, false);
-    const double reflect = time_swings(solver::Treatment::reflect, true);
-    const double project = time_swings(solver::Treatment::project, true);
+    const double upright = time_swings(RotationMethod::apd, Treatment::reflect, false);
+    const double reflect = time_swings(RotationMethod::apd, Treatment::reflect, true);
+    const double project = time_swings(RotationMethod::apd, Treatment::project, true);
     rows.push_back(row("half_inverted", "swing_8k", reflect, "ns", reflect / upright));
     rows.push_back(row("half_inverted_project", "swing_8k", project, "ns", project / upright));
+}
+
+void add_rotation_table(Rows& rows) {
+    for (const Way& way : ways) {
+        for (const bool is_inverting : {false, true}) {
+            rows.push_back(row(is_inverting ? "table3_half_inverted" : "table3_upright", way.name,
+                               time_swings(way.rotation, way.treatment, is_inverting), "ns"));
+        }
+    }
 }
 
 }

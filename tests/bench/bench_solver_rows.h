@@ -33,6 +33,19 @@ double best_of(int rounds, Work&& work) {
     return best;
 }
 
+// The columns of the tables of [Civit-Flores, Susin 2014], and one of ours.
+struct Way {
+    const char* name;
+    solver::RotationMethod rotation;
+    solver::Treatment treatment;
+};
+inline constexpr Way ways[] = {{"qr", solver::RotationMethod::qr, solver::Treatment::off},
+                               {"svd1", solver::RotationMethod::svd_smallest, solver::Treatment::off},
+                               {"svd2", solver::RotationMethod::svd_last, solver::Treatment::off},
+                               {"project", solver::RotationMethod::apd, solver::Treatment::project},
+                               {"reflect", solver::RotationMethod::apd, solver::Treatment::reflect},
+                               {"smooth", solver::RotationMethod::apd, solver::Treatment::smooth}};
+
 // bench_solver_step.cpp
 void add_steps(Rows& rows, const Bar& bar, int iterations, bool quick);
 void add_kernels(Rows& rows, const Bar& bar, const std::string& suffix);
@@ -40,8 +53,10 @@ void add_memory(Rows& rows, const Bar& bar);
 // bench_solver_rotation.cpp
 void add_rotations(Rows& rows, const std::string& name, solver::Isa isa);
 void add_half_inverted(Rows& rows);
+void add_rotation_table(Rows& rows);
 // bench_solver_truth.cpp
 void add_scramble(Rows& rows, int seeds);
+void add_recovery_table(Rows& rows, int seeds);
 void add_tip_error(Rows& rows, const Bar& bar);
 // bench_solver_game.cpp
 void add_asleep(Rows& rows);

@@ -68,17 +68,6 @@ Recovery recover(int cells, RotationMethod rotation, Treatment treatment, int se
     return {median(times), times[times.size() * 95 / 100], static_cast<double>(whole) / seeds};
 }
 
-struct Way {
-    const char* name;
-    RotationMethod rotation;
-    Treatment treatment;
-};
-
-constexpr Way ways[] = {
-    {"qr", RotationMethod::qr, Treatment::off},           {"svd1", RotationMethod::svd_smallest, Treatment::off},
-    {"svd2", RotationMethod::svd_last, Treatment::off},   {"project", RotationMethod::apd, Treatment::project},
-    {"reflect", RotationMethod::apd, Treatment::reflect}, {"smooth", RotationMethod::apd, Treatment::smooth}};
-
 // The nodes of the bar's free end, and the force k = P L^2 / (E I) = 1 spread over them.
 struct Load {
     explicit Load(const Bundle& bar) {
