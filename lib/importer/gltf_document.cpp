@@ -67,7 +67,7 @@ void check_depth(std::string_view text) {
 Json parse_json(std::string_view text) {
     check_depth(text);
     Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object()) refuse("the JSON is damaged");
+    if (!json.is_object()) refuse("it is no glTF, or the JSON in it is damaged");
     return json;
 }
 

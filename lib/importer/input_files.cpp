@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "importer/disguise.h"
 #include "importer/format.h"
 #include "importer/gltf_surface.h"
 #include "importer/printable.h"
@@ -65,7 +66,8 @@ std::vector<std::string> decoded(const std::vector<std::byte>& bytes) {
 
 std::vector<std::string> read_buffer_paths(const std::string& path) {
     std::vector<std::string> paths;
-    const std::string bytes = read_file(path);
+    std::string bytes = read_file(path);
+    undisguise(bytes, FormatId::gltf);
     for (const ExternalBuffer& buffer : gltf::external_buffers(gltf::parse(bytes).json))
         paths.push_back(path_of_uri(path, buffer.uri));
     return paths;

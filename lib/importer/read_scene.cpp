@@ -9,6 +9,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "importer/disguise.h"
 #include "importer/file_space.h"
 #include "importer/input_files.h"
 #include "importer/memory_files.h"
@@ -42,13 +43,21 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
     return {};
 }
 
+// Formats are empty in many words.
+bool tells_of_nothing(const std::string& text) {
+    for (const char* words :
+         {"file is too small", "mNumMeshes is 0", "contains no faces", "has no faces", "contains no vertices",
+          "no valid vertices", "There are no facets", "Unable to extract mesh data", "No root node"}) {
+        if (text.find(words) != std::string::npos) return true;
+    }
+    return false;
+}
+
 // assimp's own words, without the path some of them carry.
 std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (text.find("file is too small") != std::string::npos) return "it is too short to hold a surface";
-    if (text.find("mNumMeshes is 0") != std::string::npos || text.find("contains no faces") != std::string::npos)
-        return "it has no faces, only points; a surface is needed";
+    if (tells_of_nothing(text)) return "it has no faces; a surface is needed";
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
         text.replace(at, path.size(), "the file");
     return "it cannot be read: it is damaged, cut short, or of a version that is not known; export it again, or in "
@@ -95,6 +104,7 @@ Source look_at(const std::string& path, const Format& format, Purpose purpose) {
     Source source;
     source.bytes = read_file(path);
     if (source.bytes.empty()) refuse("the file is empty");
+    undisguise(source.bytes, format.id);
     source.scan = prescan(source.bytes, format.id, purpose);
     for (const ExternalBuffer& buffer : source.scan.buffers) source.buffers.push_back(read_buffer(path, buffer));
     return source;

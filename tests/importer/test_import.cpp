@@ -65,6 +65,23 @@ TEST(Import, EmptyAndForeignContentIsRefusedInEveryFormat) {
     }
 }
 
+TEST(Import, WhatEditorsAndVersionControlMakeOfAFile) {
+    const TempFolder folder;
+    const std::string box = obj_text(shapes::box());
+    EXPECT_EQ(import_shell(folder.write("mark.obj", "\xef\xbb\xbf" + box)).report.vertices, 8u);
+    std::string windows = box;
+    for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2) windows.insert(at, 1, '\r');
+    EXPECT_EQ(import_shell(folder.write("windows.obj", windows)).report.vertices, 8u);
+    std::string mac = box;
+    std::replace(mac.begin(), mac.end(), '\n', '\r');
+    EXPECT_TRUE(contains(refusal_of_file(folder.write("mac.obj", mac)).message, "carriage returns"));
+    EXPECT_TRUE(contains(refusal_of_file(folder.write("wide.obj", "\xff\xfev\0")).message, "UTF-16"));
+    for (const char* name : {"a.obj", "a.glb", "a.fbx", "a.stl"}) {
+        const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12\n";
+        EXPECT_TRUE(contains(refusal_of_file(folder.write(name, pointer)).message, "git lfs pull")) << name;
+    }
+}
+
 TEST(Import, WhatIsNotReadIsTold) {
     const TempFolder folder;
     const Result curves =
