@@ -40,8 +40,19 @@ double mean_ratio(double six_volumes, double edges_2) {
     return 12 * cube_root(six_volumes * six_volumes * 0.25) / edges_2;
 }
 
-double weighted(double ratio) {
-    return mean_ratio_weight * (ratio < mean_ratio_knee ? std::sqrt(ratio * mean_ratio_knee) : ratio);
+// The mean ratio as it counts, and the power of it that this is nearby: d ln(value) / d ln(ratio).
+struct Weighted {
+    double value;
+    double power;
+};
+
+Weighted weighted(double ratio) {
+    if (ratio >= long_ratio || ratio <= flat_ratio) return {mean_ratio_weight * ratio, 1};
+    if (ratio >= needle_ratio) return {mean_ratio_weight * std::sqrt(ratio * long_ratio), 0.5};
+    const double at_needle = std::sqrt(needle_ratio * long_ratio);
+    const double slope = (at_needle - flat_ratio) / (needle_ratio - flat_ratio);
+    const double value = flat_ratio + slope * (ratio - flat_ratio);
+    return {mean_ratio_weight * value, slope * ratio / value};
 }
 
 }
@@ -79,7 +90,7 @@ double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const double scale = 12 * mean_ratio_weight;
     const double cubed = scale * scale * scale * 0.25 * faces.six_volumes * faces.six_volumes;
     if (cubed > sine * sine * sine * (edges_2 * edges_2 * edges_2) * 1.0000001) return sine;
-    return std::min(sine, weighted(mean_ratio(faces.six_volumes, edges_2)));
+    return std::min(sine, weighted(mean_ratio(faces.six_volumes, edges_2)).value);
 }
 
 ShapeTerms shape_terms(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
@@ -111,10 +122,9 @@ ShapeTerms shape_terms(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
         terms.gradient[edge] = change * sine;
     }
     const Vec3 of_edges = (a * 3 - b - c - d) * 2 / edges_2;
-    const double ratio = mean_ratio(faces.six_volumes, edges_2);
-    terms.value[6] = weighted(ratio);
-    const double power = ratio < mean_ratio_knee ? 0.5 : 1;
-    terms.gradient[6] = (of_volume * (2.0 / 3) - of_edges) * (power * terms.value[6]);
+    const Weighted ratio = weighted(mean_ratio(faces.six_volumes, edges_2));
+    terms.value[6] = ratio.value;
+    terms.gradient[6] = (of_volume * (2.0 / 3) - of_edges) * (ratio.power * ratio.value);
     return terms;
 }
 

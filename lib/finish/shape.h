@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How good one tet is, in the single number that finish raises: the smaller of the biased sine of its worst dihedral
 // angle [Klingner and Shewchuk 2007, "Aggressive tetrahedral mesh improvement"] and 1.3 times its mean ratio [Liu and
-// Joe 1994]. The sine alone lets short fat slivers pass, the mean ratio alone gives away the smallest angle. Below the
-// knee the mean ratio counts by its root: a tet that a needle of the shell makes long is no better for being flat, too.
-// Nothing here needs libm beyond the square root, so decisions come out the same on every machine.
+// Joe 1994]. The sine alone lets short fat slivers pass, the mean ratio alone gives away the smallest angle. Between
+// long and flat a tet's mean ratio counts by its root: one that a needle of the shell makes long may have fair angles
+// all the same. Nothing here needs libm beyond the square root, so decisions come out the same on every machine.
 #pragma once
 #include "core/vec3.h"
 
@@ -12,7 +12,11 @@ namespace crumple::finish {
 // Sines of angles beyond 90 degrees count this much: a large angle costs more than a small one of the same sine.
 inline constexpr double obtuse_bias = 0.7;
 inline constexpr double mean_ratio_weight = 1.3;
-inline constexpr double mean_ratio_knee = 0.25;
+
+// Mean ratios: below the first a tet is long, down to the second by its root, below the third as flat as it says.
+inline constexpr double long_ratio = 0.25;
+inline constexpr double needle_ratio = 0.0625;
+inline constexpr double flat_ratio = 0.03;
 
 // About 0.94 for a regular tet, at most 1; 0 for a tet that is flat or turned inside out.
 [[nodiscard]] double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
