@@ -30,7 +30,7 @@ struct ExternalBuffer {
 struct Prescan {
     std::vector<Vec3f> positions;         // the file's vertices in order, nearest float; empty: nothing to restore
     std::vector<Vec3f> assimp_positions;  // OBJ: the same as assimp's parser reads them, by which its corners are found
-    std::vector<float> reds;              // OBJ: of positions, where all have colours
+    std::vector<float> reds;              // OBJ, PLY, OFF: of positions, where all have colours
     std::vector<ReadNumber> numbers;      // every number of other text formats, ascending by read, then exact
     std::vector<Affine> transforms;       // glTF: of its nodes
     std::vector<ExternalBuffer> buffers;  // glTF: what it needs of other files

@@ -114,6 +114,14 @@ Vec3f read_position(std::string_view line, const Lines& lines) {
     return position;
 }
 
+float read_red(std::string_view line, const Lines& lines) {
+    for (int axis = 0; axis < 3; ++axis) (void)next_word(line);
+    const std::string_view word = next_word(line);
+    const auto red = to_number<double>(word);
+    if (!red) refuse(lines.place() + "the red " + in_quotes(word) + " is not a number");
+    return static_cast<float>(*red);
+}
+
 std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Header& header) {
     const auto corners = to_number<std::uint64_t>(next_word(line));
     if (!corners || *corners == 0) refuse(lines.place() + "the number of corners of a face is missing");
@@ -147,6 +155,7 @@ Prescan prescan_off(std::string_view text, Purpose purpose) {
             refuse("the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) + " vertices");
         result.positions.push_back(read_position(line, lines));
         check_number_count(line, header, lines, purpose);
+        if (header.has_colors && purpose == Purpose::shell) result.reds.push_back(read_red(line, lines));
     }
     for (std::uint64_t f = 0; f < header.faces; ++f) {
         if (!lines.next(line))

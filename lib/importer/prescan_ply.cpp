@@ -328,6 +328,12 @@ void read_list(Body& body, const Element& element, const Property& property, std
     for (double i = 0; i < size; ++i) (void)body.next(property.type, element, row);
 }
 
+// As assimp scales it: whole numbers by the largest of their type.
+float red_of(double value, Type type) {
+    const double most = std::ldexp(1.0, static_cast<int>(8 * type.size)) - 1;
+    return static_cast<float>(type.kind == Kind::real ? value : value / most);
+}
+
 int axis_of(const Element& element, const Property& property) {
     if (element.name != "vertex" || property.list_count) return -1;
     return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
@@ -342,6 +348,7 @@ void read_row(Body& body, const Element& element, std::uint64_t row, std::uint64
             read_list(body, element, property, row);
         } else {
             const double value = body.next(property.type, element, row);
+            if (element.name == "vertex" && is_red(property.name)) result.reds.push_back(red_of(value, property.type));
             const int axis = axis_of(element, property);
             if (axis < 0) continue;
             if (const auto fault = coordinate_fault(value); !fault.empty())
@@ -368,6 +375,7 @@ Prescan prescan_ply(std::string_view bytes, Purpose purpose) {
         for (std::uint64_t row = 0; row < element.count; ++row) read_row(body, element, row, vertex.count, result);
     }
     result.unread.bytes = body.unread();
+    if (purpose != Purpose::shell) result.reds.clear();
     return result;
 }
 

@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <unordered_map>
+
+#include "core/error.h"
+#include "importer/paint.h"
 
 namespace crumple::importer {
 
@@ -57,17 +62,35 @@ void restore_vertex_list(Prescan scan, Scene& scene) {
 }
 
 bool is_same_number(float exact, float read) {
-    return exact == read || std::fabs(exact - read) <= assimp_error * std::fabs(exact);
+    // Below the least normal float assimp's digits are few.
+    const float least = std::numeric_limits<float>::min();
+    return exact == read || std::fabs(exact - read) <= assimp_error * std::fmax(std::fabs(exact), least / assimp_error);
 }
 
-void restore_numbers(const std::vector<Vec3f>& exact, std::vector<Vec3f>& positions) {
-    if (exact.size() != positions.size()) return;
-    for (std::size_t v = 0; v < exact.size(); ++v) {
+[[noreturn]] void disagree(const std::string& about) {
+    throw Error(ErrorKind::bad_input, "the reader makes something else of " + about +
+                                          " than the file says; export it again with one vertex or face a line and "
+                                          "plain numbers, or in another format");
+}
+
+// The first vertex of which assimp delivered something else, or the number of vertices.
+std::size_t first_difference(const Prescan& scan, const SceneMesh& mesh) {
+    const bool has_reds = !scan.reds.empty() && !mesh.colors.empty() && !mesh.colors[0].empty();
+    for (std::size_t v = 0; v < scan.positions.size(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!is_same_number(exact[v][axis], positions[v][axis])) return;
+            if (!is_same_number(scan.positions[v][axis], mesh.positions[v][axis])) return v;
         }
+        if (has_reds && is_locked(scan.reds[v]) != is_locked(mesh.colors[0][v][0])) return v;
     }
-    positions = exact;
+    return scan.positions.size();
+}
+
+void restore_numbers(Prescan scan, SceneMesh& mesh) {
+    if (scan.positions.size() != mesh.positions.size()) disagree("the number of vertices");
+    if (!scan.reds.empty() && mesh.colors.empty()) disagree("the colours");
+    const std::size_t vertex = first_difference(scan, mesh);
+    if (vertex < scan.positions.size()) disagree("vertex " + std::to_string(vertex));
+    mesh.positions = std::move(scan.positions);
 }
 
 // The nearest float of the one number of the file that assimp reads as `read`; where several are, one cannot tell.
@@ -127,7 +150,7 @@ void restore(Prescan scan, Scene& scene) {
     if (!scan.assimp_positions.empty()) {
         restore_vertex_list(std::move(scan), scene);
     } else if (!scan.positions.empty() && scene.meshes.size() == 1) {
-        restore_numbers(scan.positions, scene.meshes[0].positions);
+        restore_numbers(std::move(scan), scene.meshes[0]);
     }
 }
 

@@ -82,20 +82,39 @@ TEST(Import, WhatEditorsAndVersionControlMakeOfAFile) {
     }
 }
 
+// A box as PLY in text, each vertex of that colour.
+std::string ply_text(const std::string& color, const std::string& after_vertex) {
+    std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 12\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const Vec3& p : shapes::box().positions)
+        ply += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + color + after_vertex;
+    if (!ply.ends_with('\n')) ply += '\n';
+    for (const Triangle& t : shapes::box().triangles)
+        ply += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+    return ply;
+}
+
 TEST(Import, WhatIsNotReadIsTold) {
     const TempFolder folder;
     const Result curves =
         import_shell(folder.write("a.obj", obj_text(shapes::box()) + "curv 0 1 1 2 3\nsurf 0 1 0 1 1\n"));
     EXPECT_EQ(find(curves.report.findings, "FILE_FREE_FORM")->count, 2u);
-    std::string ply =
-        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 12\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const Vec3& p : shapes::box().positions)
-        ply += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
-    for (const Triangle& t : shapes::box().triangles)
-        ply += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+    const std::string ply = ply_text(" 0 255 255", "\n");
     EXPECT_FALSE(has(import_shell(folder.write("a.ply", ply + "\n")).report, "FILE_UNREAD"));
     EXPECT_EQ(find(import_shell(folder.write("a.ply", ply + "3 0 1 2\n")).report.findings, "FILE_UNREAD")->count, 8u);
+}
+
+// assimp reads a line where we read numbers, and takes "+255" for 0.
+TEST(Import, APlyThatTheReaderMisreadsIsRefused) {
+    const TempFolder folder;
+    EXPECT_EQ(import_shell(folder.write("a.ply", ply_text(" 0 255 255", "\n"))).report.locked, 8u);
+    EXPECT_EQ(import_shell(folder.write("a.ply", ply_text(" 255 255 255", "\n\n"))).report.locked, 0u);
+    const auto joined = refusal_of_file(folder.write("joined.ply", ply_text(" 255 255 255", " ")));
+    EXPECT_EQ(joined.kind, ErrorKind::bad_input);
+    const auto plus = refusal_of_file(folder.write("plus.ply", ply_text(" +255 255 255", "\n")));
+    EXPECT_TRUE(contains(plus.message, "something else of vertex 0")) << plus.message;
 }
 
 TEST(Import, MaterialsKeepTheirNamesThoughTheirLibraryIsNotRead) {
