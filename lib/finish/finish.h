@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gives the tets inside the shell shapes worth simulating, without moving the artist's vertices: repairs the surface
-// where it touches itself, peels flat tets off it and mends bad tets by local operations. The result is no longer
-// Delaunay.
+// where it touches itself, peels flat tets off it, mends bad tets by local operations and raises the time step of the
+// few nodes that would set it. The result is no longer Delaunay.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -67,6 +67,20 @@ TEST(Thicken, LocksGoToBothSides) {
     const std::vector<Vec3> expected{{0, 0, -0.25}, {0, 0, 0.25}, {1, 0, -0.25}, {1, 0, 0.25}};
     EXPECT_EQ(cooked.asset.locked_positions, expected);
     EXPECT_NEAR(enclosed(cooked.asset.shell), 0.5, 1e-12);
+    // Every copy knows the vertex of the file it was made of, and the tets hold each.
+    const Shell& shell = cooked.asset.shell;
+    std::vector<Index> locked_sources;
+    for (std::size_t v = 0; v < shell.positions.size(); ++v) {
+        if (shell.locked[v]) locked_sources.push_back(shell.source_vertex[v]);
+    }
+    std::sort(locked_sources.begin(), locked_sources.end());
+    EXPECT_EQ(locked_sources, (std::vector<Index>{0, 0, 1, 1}));
+    EXPECT_EQ(cooked.import.locked, 4u);
+    for (Index v = 0; v < shell.positions.size(); ++v) {
+        const bool is_used = std::any_of(cooked.mesh.tets.begin(), cooked.mesh.tets.end(),
+                                         [&](const Tet& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
+        EXPECT_TRUE(is_used) << v;
+    }
 }
 
 TEST(Thicken, SheetsThatMeetAtAnEdgeOrAVertexOverlap) {
