@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -28,10 +29,12 @@ struct Lame {
     double lambda, mu;
 };
 
-Lame lame_of(const Bundle& b, std::size_t tet) {
+// A secant below 1 is what flow leaves of the shear stiffness; volume keeps its own.
+Lame lame_of(const Bundle& b, std::size_t tet, double secant = 1) {
     const Material& m = b.materials[b.material[tet]];
     const double young = m.young_pa * b.stiffness_scale[tet];
-    return {young * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson)), young / (2 * (1 + m.poisson))};
+    const double mu = young / (2 * (1 + m.poisson));
+    return {young * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson)) + 2.0 / 3 * mu * (1 - secant), mu * secant};
 }
 
 // Straight from the rest positions: the bundle's float inverse is not the truth.
@@ -69,9 +72,9 @@ Matrix3d nearest(const Matrix3d& f) {
 }
 
 // K_ij = V [lambda g_i g_j^T + mu (g_i . g_j) I + mu g_j g_i^T]
-Stiffness rest_stiffness(const Bundle& b, std::size_t tet) {
+Stiffness rest_stiffness(const Bundle& b, std::size_t tet, double secant) {
     const Gradients g = gradients_of(b, tet);
-    const auto [lambda, mu] = lame_of(b, tet);
+    const auto [lambda, mu] = lame_of(b, tet, secant);
     Stiffness k;
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) {
@@ -83,10 +86,10 @@ Stiffness rest_stiffness(const Bundle& b, std::size_t tet) {
     return volume_of(b, tet) * k;
 }
 
-Stiffness turned_stiffness(const Bundle& b, std::size_t tet, const Matrix3d& r) {
+Stiffness turned_stiffness(const Bundle& b, std::size_t tet, const Matrix3d& r, double secant) {
     Stiffness turn = Stiffness::Zero();
     for (int i = 0; i < 4; ++i) turn.block<3, 3>(3 * i, 3 * i) = r;
-    return turn * rest_stiffness(b, tet) * turn.transpose();
+    return turn * rest_stiffness(b, tet, secant) * turn.transpose();
 }
 
 // eps = sym(R^T F) - I - eps_p
@@ -96,23 +99,38 @@ Matrix3d elastic_strain(const Matrix3d& r, const Matrix3d& f, const Matrix3d& pl
 }
 
 // f_i = -V R (lambda tr(eps) I + 2 mu eps) g_i
-void add_elastic_force(const Bundle& b, std::size_t tet, const Matrix3d& r, const Matrix3d& strain,
+void add_elastic_force(const Bundle& b, std::size_t tet, const Matrix3d& r, const Matrix3d& strain, double secant,
                        std::vector<Vec3>& forces) {
-    const auto [lambda, mu] = lame_of(b, tet);
+    const auto [lambda, mu] = lame_of(b, tet, secant);
     const Matrix3d stress = lambda * strain.trace() * Matrix3d::Identity() + 2 * mu * strain;
     const Gradients f = -volume_of(b, tet) * r * stress * gradients_of(b, tet);
     for (int i = 0; i < 4; ++i) forces[b.tets[tet][static_cast<std::size_t>(i)]] += plain(Vector3d(f.col(i)));
 }
 
-// eps_p += c (1 - y / |d|) d with d the deviatoric elastic strain.
-void flow(const Body& body, std::size_t tet, const Matrix3d& strain, double dt, Matrix3& plastic) {
+Matrix3d deviator(const Matrix3d& strain) { return strain - strain.trace() / 3 * Matrix3d::Identity(); }
+
+// eps_p + c (1 - y / |d|) d with d the deviatoric elastic strain.
+Matrix3d flowed(const Body& body, std::size_t tet, const Matrix3d& strain, double dt) {
     const Material& m = body.bundle->materials[body.bundle->material[tet]];
     const double yield = std::sqrt(2.0 / 3) * m.yield_pa / (2 * lame_of(*body.bundle, tet).mu);
-    const Matrix3d d = strain - strain.trace() / 3 * Matrix3d::Identity();
-    if (d.norm() <= yield) return;
-    Matrix3d p = eigen(plastic) + (1 - std::exp(-m.creep_per_s * dt)) * (1 - yield / d.norm()) * d;
+    const Matrix3d before = eigen(body.plastic[tet]);
+    const Matrix3d d = deviator(strain);
+    if (d.norm() <= yield) return before;
+    Matrix3d p = before + (1 - std::exp(-m.creep_per_s * dt)) * (1 - yield / d.norm()) * d;
     if (p.norm() > m.max_plastic_strain) p *= m.max_plastic_strain / p.norm();
-    plastic = plain(p);
+    return p;
+}
+
+// What the flow of this step will leave of the shear stiffness: by the secant to the strain where the step linearizes,
+// x + (beta + dt) v.
+double secant_of(const Body& body, std::size_t tet, const Matrix3d& r, const Matrix3d& strain, double dt) {
+    const Bundle& b = *body.bundle;
+    const Matrix3d rate = r.transpose() * edges_of(body.velocities, b.tets[tet]) * rest_edges(b, tet).inverse();
+    const double ahead = b.materials[b.material[tet]].beta_s + dt;
+    const Matrix3d there = strain + ahead * 0.5 * (rate + rate.transpose());
+    const Matrix3d gone = flowed(body, tet, there, dt) - eigen(body.plastic[tet]);
+    const Matrix3d d = deviator(there);
+    return d.norm() > 0 ? std::max(1e-3, 1 - gone.cwiseProduct(d).sum() / d.squaredNorm()) : 1;
 }
 
 // alpha m of each node, mass-weighted over its tets.
@@ -241,19 +259,35 @@ double move_free(Body& body, const std::vector<double>& blocks, const std::vecto
     return way > 0 ? move.norm() / std::sqrt(way) : 0;
 }
 
-// Elastic forces; turns `body.rotations` to the nearest ones and lets plastic strain flow on the way.
-std::vector<Vec3> update_elements(Body& body, const StepInput& input) {
-    std::vector<Vec3> forces(body.positions.size());
+std::vector<double> blocks_of(const Bundle& b, std::span<const Matrix3> rotations, std::span<const double> scale_of_tet,
+                              std::span<const double> secants) {
+    std::vector<double> blocks(9 * b.column.size(), 0.0);
+    for (std::size_t t = 0; t < b.solver_tet_count; ++t) {
+        add_to_slots(b, t, scale_of_tet[t] * turned_stiffness(b, t, eigen(rotations[t]), secants[t]), blocks);
+    }
+    return blocks;
+}
+
+struct Elements {
+    std::vector<Vec3> forces;     // N
+    std::vector<double> secants;  // S
+};
+
+// Turns `body.rotations` to the nearest ones and lets plastic strain flow on the way.
+Elements update_elements(Body& body, const StepInput& input) {
+    Elements result{std::vector<Vec3>(body.positions.size()), std::vector<double>(body.rotations.size(), 1.0)};
     for (std::size_t t = 0; t < body.rotations.size(); ++t) {
         const Matrix3d f = eigen(deformation_gradient(body, t));
         const Matrix3d r = input.is_linear ? Matrix3d(Matrix3d::Identity()) : nearest(f);
         if (input.has_plasticity) {
-            flow(body, t, elastic_strain(r, f, eigen(body.plastic[t])), input.dt, body.plastic[t]);
+            body.plastic[t] = plain(flowed(body, t, elastic_strain(r, f, eigen(body.plastic[t])), input.dt));
         }
-        add_elastic_force(*body.bundle, t, r, elastic_strain(r, f, eigen(body.plastic[t])), forces);
+        const Matrix3d strain = elastic_strain(r, f, eigen(body.plastic[t]));
+        if (input.has_plasticity) result.secants[t] = secant_of(body, t, r, strain, input.dt);
+        add_elastic_force(*body.bundle, t, r, strain, result.secants[t], result.forces);
         body.rotations[t] = plain(r);
     }
-    return forces;
+    return result;
 }
 
 }
@@ -276,28 +310,25 @@ Matrix3 deformation_gradient(const Body& body, std::size_t tet) {
 
 std::vector<Vec3> elastic_forces(const Body& body) {
     Body copy = body;
-    return update_elements(copy, {});
+    return update_elements(copy, {}).forces;
 }
 
 std::vector<double> stiffness_by_slots(const Bundle& b, std::span<const Matrix3> rotations,
                                        std::span<const double> scale_of_tet) {
-    std::vector<double> blocks(9 * b.column.size(), 0.0);
-    for (std::size_t t = 0; t < b.solver_tet_count; ++t) {
-        add_to_slots(b, t, scale_of_tet[t] * turned_stiffness(b, t, eigen(rotations[t])), blocks);
-    }
-    return blocks;
+    return blocks_of(b, rotations, scale_of_tet, std::vector<double>(b.solver_tet_count, 1.0));
 }
 
 // (M (1 + alpha dt) + (beta dt + dt^2) K') v+ = M v + dt (f + f_elastic)
 std::vector<Vec3> step(Body& body, const StepInput& input) {
     const Bundle& b = *body.bundle;
     const std::size_t node_count = body.positions.size();
-    std::vector<Vec3> right = update_elements(body, input);
+    Elements elements = update_elements(body, input);
+    std::vector<Vec3>& right = elements.forces;
     std::vector<double> scale(body.rotations.size());
     for (std::size_t t = 0; t < scale.size(); ++t) {
         scale[t] = input.dt * (b.materials[b.material[t]].beta_s + input.dt);
     }
-    std::vector<double> blocks = stiffness_by_slots(b, body.rotations, scale);
+    std::vector<double> blocks = blocks_of(b, body.rotations, scale, elements.secants);
     const std::vector<double> damping = mass_damping(b);
     for (std::size_t i = 0; i < node_count; ++i) {
         const double mass = b.mass[i];
@@ -332,7 +363,7 @@ std::optional<int> settle(Body& body, std::span<const Vec3> forces, double relat
     input.is_linear = is_linear;
     const std::vector<double> scale(body.rotations.size(), 1.0);
     for (int i = 0; i < max_steps; ++i) {
-        std::vector<Vec3> right = update_elements(body, input);
+        std::vector<Vec3> right = update_elements(body, input).forces;
         for (std::size_t n = 0; n < right.size(); ++n) right[n] += forces[n];
         const std::vector<double> blocks = stiffness_by_slots(*body.bundle, body.rotations, scale);
         if (move_free(body, blocks, right) <= relative_tolerance) return i;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sample car in a crash, alone and in company, against the 2 ms that a game may give it.
 #include <algorithm>
-#include <atomic>
 #include <optional>
 
 #include "bench/bench_solver_rows.h"
@@ -46,25 +45,19 @@ void add_one_car(Rows& rows, const CarModel& shared, int crashes) {
     rows.push_back(row("car_step_conventional_ms", input, median(theirs), "ms"));
 }
 
-// What each thread of a frame does: the next car until none is left.
+// The cars of a frame, a job each. A thread has a garage of its own: the first half of the cars is the caller's.
 struct Frame {
     const CarModel& shared;
     std::vector<Car>& cars;
     std::vector<Garage>& garages;
-    std::atomic<std::size_t> next = 0;
-    double busy_s[2] = {};
 
-    static void work(void* of_frame, std::size_t thread) {
-        Frame& frame = *static_cast<Frame*>(of_frame);
-        const double begin = thread_cpu_seconds();
-        for (std::size_t i = frame.next++; i < frame.cars.size(); i = frame.next++) {
-            frame.cars[i].drive(frame.shared, frame.garages[thread]);
-        }
-        frame.busy_s[thread] = thread_cpu_seconds() - begin;
+    static void drive(void* of_frame, std::size_t i) {
+        const Frame& frame = *static_cast<Frame*>(of_frame);
+        const bool is_second = frame.garages.size() > 1 && i >= frame.cars.size() / 2;
+        frame.cars[i].drive(frame.shared, frame.garages[is_second ? 1 : 0]);
     }
 };
 
-// A frame takes as long as the busier of its threads.
 void add_company(Rows& rows, const CarModel& shared, int car_count, std::size_t threads) {
     std::vector<Car> cars;
     for (int i = 0; i < car_count; ++i) cars.emplace_back(shared);
@@ -73,15 +66,16 @@ void add_company(Rows& rows, const CarModel& shared, int car_count, std::size_t 
     std::optional<SecondWorker> second;
     if (threads > 1) second.emplace();
     std::vector<double> times;
+    Frame frame{shared, cars, garages};
     for (int i = 0; i < frames; ++i) {
-        Frame frame{shared, cars, garages};
         if (second) {
             const solver::Jobs jobs = second->jobs();
-            jobs.run(jobs.user, threads, Frame::work, &frame);
+            times.push_back(1e3 * second->seconds_of([&] { jobs.run(jobs.user, cars.size(), Frame::drive, &frame); }));
         } else {
-            Frame::work(&frame, 0);
+            times.push_back(1e3 * processor_seconds([&] {
+                                for (std::size_t k = 0; k < cars.size(); ++k) Frame::drive(&frame, k);
+                            }));
         }
-        times.push_back(1e3 * std::max(frame.busy_s[0], frame.busy_s[1]));
     }
     const std::string name = "cars_" + std::to_string(car_count) + '_' + std::to_string(threads) + 't';
     rows.push_back(row(name, "car", median(times), "ms a frame"));

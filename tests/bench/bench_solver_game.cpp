@@ -128,8 +128,8 @@ void add_two_threads(Rows& rows, const Bar& bar, std::uint32_t iterations) {
     SecondWorker worker;
     std::vector<double> ratios, times;
     for (int i = 0; i < 30; ++i) {
-        const double alone = seconds([&] { body.step(bar_input()); });
-        const double together = seconds([&] { body.step(bar_input(), worker.jobs()); });
+        const double alone = processor_seconds([&] { body.step(bar_input()); }, thread_cpu_seconds);
+        const double together = worker.seconds_of([&] { body.step(bar_input(), worker.jobs()); });
         if (i < 5) continue;
         ratios.push_back(alone / together);
         times.push_back(1e3 * together);
