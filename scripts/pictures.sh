@@ -26,6 +26,6 @@ done
 # After a pole at 15 m/s.
 build/release/crumple cook samples/recipes/car.json -q --keep-work -o build/sample/car_work.hdf \
     --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb
-build/release/crumple simulate build/sample/car_work.hdf --scene crumple_zone -o build/sample/crash.hdf -q
+build/release/crumple simulate build/sample/car_work.hdf --scene pole -o build/sample/crash.hdf -q
 scripts/last_frame.py build/sample/crash.hdf car_visual -o build/sample/crashed.obj
 draw build/sample/crashed.obj -o samples/pictures/crashed.png --smooth

@@ -49,7 +49,8 @@ SurfacePoint box_surface(const Obstacle& o, Vec3 point) {
 bool leaving_speed(double distance, float approach, float gains, float restitution, float dt, float& leaves) {
     const auto gap = static_cast<float>(distance);
     const float allowed = gap >= 0 ? -gap / dt : std::min(-gap * push_out_part / dt, push_out_speed);
-    if (approach + gains >= allowed) return false;
+    // What is inside stays watched on its way out: let go, it may spring back within the step.
+    if (gap > 0 && approach + gains >= allowed) return false;
     const bool rebounds = -approach > rebound_from && restitution > 0;
     leaves = rebounds ? std::max(-restitution * approach, allowed) : allowed;
     return true;

@@ -14,8 +14,8 @@ namespace crumple::solver {
 
 [[nodiscard]] double kinetic_energy(const Model& model, const State& state);  // joules
 
-// sum V (mu |eps|^2 + lambda / 2 tr(eps)^2), joules. With the rotation nearest to F it is the least this F can have;
-// with the rotations of `state` it is what the solver sees, more where a treatment holds on to an inverted tet.
+// sum V (mu |eps|^2 + lambda / 2 tr(eps)^2), joules. With the rotation nearest to F it is that of F alone; with
+// the rotations of `state` it is what the solver sees, where a treatment may hold on to another for an inverted tet.
 enum class EnergyRotation { nearest, of_state };
 [[nodiscard]] double elastic_energy(const Model& model, const State& state,
                                     EnergyRotation which = EnergyRotation::nearest);

@@ -18,7 +18,9 @@
 namespace crumple::study {
 namespace {
 
-Vec3f narrow(Vec3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
+using solver::Mat3d;
+using solver::narrow;
+using solver::widen;
 
 // Memory on the boundary the solver wants.
 class Block {
@@ -143,8 +145,10 @@ public:
 
     void measure(Run& run) const {
         const Box box = box_of(bundle_);
+        const Resting resting = rides_ ? Resting{} : find_resting();
         for (std::size_t n = 0; n < model_.node_count; ++n) {
-            const double way = static_cast<double>(length(position(state_, n) - bundle_.rest_positions[n]));
+            const Vec3 rest = widen(bundle_.rest_positions[n]);
+            const double way = length(widen(position(state_, n)) - resting.place(rest));
             if (bundle_.locked[n] && handles_.empty()) {
                 run.locked_drift = std::max(run.locked_drift, way / length(box.high - box.low));
             }
@@ -155,6 +159,37 @@ public:
     [[nodiscard]] const solver::InstanceReport& report() const { return report_; }
 
 private:
+    // Where the body would be if it had only moved as a whole.
+    struct Resting {
+        Mat3d turn = Mat3d::identity();
+        Vec3 from, to;
+        [[nodiscard]] Vec3 place(Vec3 rest) const { return to + turn * (rest - from); }
+    };
+    // The rigid motion that fits the nodes best, by their masses.
+    [[nodiscard]] Resting find_resting() const {
+        Resting r;
+        if (!handles_.empty() || has_locks_) return r;
+        double mass = 0;
+        for (std::size_t n = 0; n < model_.node_count; ++n) {
+            const double m = bundle_.mass[n];
+            r.from += widen(bundle_.rest_positions[n]) * m;
+            r.to += widen(position(state_, n)) * m;
+            mass += m;
+        }
+        r.from = r.from / mass;
+        r.to = r.to / mass;
+        Mat3d moved;
+        for (std::size_t n = 0; n < model_.node_count; ++n) {
+            const double m = bundle_.mass[n] / mass;
+            moved = moved +
+                    solver::outer(widen(position(state_, n)) - r.to, (widen(bundle_.rest_positions[n]) - r.from) * m);
+        }
+        solver::Mat3 narrow;
+        for (std::size_t i = 0; i < 9; ++i) narrow.m[i] = static_cast<float>(moved.m[i]);
+        const solver::Mat3 turn = rotation_svd_smallest(narrow, solver::Mat3::identity());
+        for (std::size_t i = 0; i < 9; ++i) r.turn.m[i] = static_cast<double>(turn.m[i]);
+        return r;
+    }
     // Without a rigid body to ride on the nodes themselves move.
     void start_moving() {
         const Vec3 middle = box_of(bundle_).middle();

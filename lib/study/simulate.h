@@ -44,7 +44,9 @@ struct Run {
     std::vector<Frame> frames;
     double locked_drift =
         0;  // largest way of a locked node from its place in the carrier's frame, over the body's size
-    double deepest_dent_m = 0;  // largest way of a node in the carrier's frame at the end
+    // Largest way of a node from its place at the end: in the carrier's frame, or that of the whole where nothing is
+    // locked.
+    double deepest_dent_m = 0;
     std::uint32_t inverted_at_end = 0;
     std::uint32_t steps = 0;
     std::uint32_t warned_steps = 0;

@@ -238,14 +238,14 @@ TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
         const double speed = between(1, 100);
         if (seed % 4 == 1) body.set_velocities([&](Vec3f) { return Vec3f{static_cast<float>(-speed), 0, 0}; });
         const auto dt = static_cast<float>(between(1.0 / 500, 1.0 / 20));
-        // As the solver sees them: inverted tets hold on to more than the rotation nearest to them would.
+        // As the solver sees them: which rotation an inverted tet holds on to is part of what it stores.
         double allowed = 0;
         double most = 0;
         for (int i = 0; i < 30; ++i) {
             const StepReport report = body.step(dt);
             if (i == 0) allowed = report.start_energy;
             cut += (report.warnings & step_restrained) != 0;
-            most = std::max({most, report.start_energy, i % 3 == 0 ? total_energy(body) : 0});
+            most = std::max({most, report.start_energy, report.energy, kinetic_energy(body.model, body.state)});
         }
         // Strains of float rounding, 1e-7, are no motion.
         double noise = 0;
@@ -254,7 +254,7 @@ TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
         EXPECT_TRUE(body.is_finite()) << "seed " << seed;
         EXPECT_LE(most, 2 * allowed + noise) << "seed " << seed;
     }
-    EXPECT_LT(cut, 0.002 * 30 * static_cast<double>(runs));  // a last resort, not how it works
+    EXPECT_LT(cut, 0.004 * 30 * static_cast<double>(runs));  // a last resort, not how it works
     RecordProperty("steps_cut_short", cut);
 }
 

@@ -99,6 +99,7 @@ TEST(Simulate, ABodyWithoutLocksFliesByItself) {
     // The material's alpha is air to it.
     EXPECT_NEAR(way.x, 0.5, 0.03);
     EXPECT_NEAR(way.y, 1 - 0.5 * 9.81 * 0.25, 0.06);
+    EXPECT_LT(run.deepest_dent_m, 1e-3);  // to move is no dent
 }
 
 TEST(Simulate, MoreThreadsMakeTheSameRun) {
