@@ -2,9 +2,14 @@
 // A step takes no memory: this file counts every request of its program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
+#ifdef _WIN32
+#include <malloc.h>
+#endif
 
 #include "solver/body.h"
 #include "solver/instance.h"
@@ -16,9 +21,22 @@ std::atomic<int> requests = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
     if (is_counting) ++requests;
-    size = (size + alignment - 1) / alignment * alignment;
-    if (void* memory = std::aligned_alloc(alignment, size == 0 ? alignment : size)) return memory;
-    throw std::bad_alloc();
+    size = std::max((size + alignment - 1) / alignment * alignment, alignment);
+#ifdef _WIN32
+    void* const memory = _aligned_malloc(size, alignment);
+#else
+    void* const memory = std::aligned_alloc(alignment, size);
+#endif
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+void give_back(void* memory) {
+#ifdef _WIN32
+    _aligned_free(memory);
+#else
+    std::free(memory);
+#endif
 }
 
 }
@@ -31,14 +49,14 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 void* operator new[](std::size_t size, std::align_val_t alignment) {
     return counted(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete[](void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
 
 namespace crumple::solver::test {
 namespace {
