@@ -15,7 +15,7 @@
 
 namespace crumple::importer {
 
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
 // Which axis of the file points up. Y up is ours: z maps (x, y, z) to (x, z, -y), x maps it to (-y, x, z).
 enum class Up { automatic, x, y, z };
