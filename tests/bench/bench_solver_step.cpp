@@ -29,49 +29,73 @@ struct StepTimes {
     double off_naive = 0, off_conventional = 0;
 };
 
-// |ours - theirs| / |ours| over the free nodes; theirs has `stride` numbers a node.
+// |ours - theirs| / |ours|; theirs has `stride` numbers a node.
 template <class Number>
-double difference(const Body& body, std::span<const Number> theirs, std::size_t stride) {
+double difference(std::span<const float> ours, std::span<const Number> theirs, std::size_t stride) {
     double off = 0, size = 0;
-    for (std::size_t n = 0; n < body.node_count(); ++n) {
-        const Vec3f v = velocity(body.state, n);
+    for (std::size_t n = 0; stride * n < theirs.size(); ++n) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const double ours = v[static_cast<int>(k)];
-            off += std::pow(ours - static_cast<double>(theirs[stride * n + k]), 2);
-            size += ours * ours;
+            const double v = ours[4 * n + k];
+            off += std::pow(v - static_cast<double>(theirs[stride * n + k]), 2);
+            size += v * v;
         }
     }
     return std::sqrt(off / size);
 }
 
-// Steps 10 to 110 from rest; where the others step too, all three start from the same state.
-StepTimes time_steps(const Bundle& bundle, int iterations, bool quick) {
+constexpr std::size_t steps_from = 10, steps_to = 110;
+
+// The states ours went through, and what came of each.
+struct Course {
+    std::vector<std::vector<float>> positions, velocities, after;
+    std::vector<double> seconds;
+};
+
+Course run_ours(const Bundle& bundle, int iterations) {
     Body body(bundle, budget(iterations));
-    Naive naive(body.bundle, iterations);
-    Conventional conventional(body.bundle, iterations);
-    const int naive_every = quick ? 25 : 10;
+    Course course;
+    const auto copy = [](std::span<const float> rows) { return std::vector<float>(rows.begin(), rows.end()); };
+    for (std::size_t i = 0; i < steps_to; ++i) {
+        if (i < steps_from) {
+            body.step(bar_input());
+            continue;
+        }
+        course.positions.push_back(copy(body.state.positions));
+        course.velocities.push_back(copy(body.state.velocities));
+        course.seconds.push_back(processor_seconds([&] { body.step(bar_input()); }));
+        course.after.push_back(copy(body.state.velocities));
+    }
+    return course;
+}
+
+// Another pipeline's median seconds over every so many of the same states; `off` becomes how far the last one's
+// velocities are from ours.
+template <class Pipeline>
+double run_theirs(Pipeline& pipeline, const Course& course, std::size_t every, std::size_t stride, double& off) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < course.positions.size(); i += every) {
+        const Motion motion{course.positions[i], course.velocities[i]};
+        decltype(pipeline.step(motion, bar_dt, bar_gravity)) velocities;
+        times.push_back(processor_seconds([&] { velocities = pipeline.step(motion, bar_dt, bar_gravity); }));
+        off = difference(course.after[i], velocities, stride);
+    }
+    return median(times);
+}
+
+// Each pipeline by itself, so that none finds the caches full of another's numbers; in turns, so that all meet the same
+// weather.
+StepTimes time_steps(const Bundle& bundle, int iterations, bool quick) {
+    Naive naive(bundle, iterations);
+    Conventional conventional(bundle, iterations);
     StepTimes times;
     std::vector<double> ours, naives, conventionals, naive_ratios, conventional_ratios;
-    for (int i = 0; i < 110; ++i) {
-        const Motion motion{body.state.positions, body.state.velocities};
-        const bool is_with_naive = i >= 10 && (i - 10) % naive_every == 0;
-        std::span<const double> naive_velocities;
-        std::span<const float> conventional_velocities;
-        if (is_with_naive) {
-            naives.push_back(processor_seconds([&] { naive_velocities = naive.step(motion, bar_dt, bar_gravity); }));
-        }
-        if (i >= 10) {
-            conventionals.push_back(
-                processor_seconds([&] { conventional_velocities = conventional.step(motion, bar_dt, bar_gravity); }));
-        }
-        const double time = processor_seconds([&] { body.step(bar_input()); });
-        if (i < 10) continue;
-        ours.push_back(time);
-        conventional_ratios.push_back(conventionals.back() / time);
-        times.off_conventional = difference(body, conventional_velocities, 4);
-        if (!is_with_naive) continue;
-        naive_ratios.push_back(naives.back() / time);
-        times.off_naive = difference(body, naive_velocities, 3);
+    for (int round = 0; round < 3; ++round) {
+        const Course course = run_ours(bundle, iterations);
+        ours.push_back(median(course.seconds));
+        conventionals.push_back(run_theirs(conventional, course, 1, 4, times.off_conventional));
+        naives.push_back(run_theirs(naive, course, quick ? 50 : 20, 3, times.off_naive));
+        conventional_ratios.push_back(conventionals.back() / ours.back());
+        naive_ratios.push_back(naives.back() / ours.back());
     }
     times.ours_s = median(ours);
     times.naive_s = median(naives);
