@@ -31,7 +31,8 @@ void* counted(std::size_t size, std::size_t alignment) {
     return memory;
 }
 
-void give_back(void* memory) {
+// Not inline, or GCC takes `free` for the wrong partner of the `new` that it sees.
+__attribute__((noinline)) void give_back(void* memory) {
 #ifdef _WIN32
     _aligned_free(memory);
 #else
