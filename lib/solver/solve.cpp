@@ -221,6 +221,7 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
     Solved result;
     result.has_overflowed = !std::isfinite(first);
     double rz = result.has_overflowed ? first : solve.restart();
+    const double begun = std::max(first, rz);
     while (result.iterations < settings.max_iterations && rz > enough) {  // never entered when first is not finite
         const double pq = solve.multiply();
         const double a = rz / pq;
@@ -241,7 +242,7 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
     (void)solve.recheck(Recheck::passed_only);
     solve.balance_whole();
     // A residual that grew tells the same: in exact arithmetic it ends below where it began.
-    result.is_too_stiff = result.is_too_stiff || (rz > first && !solve.has_contacts());
+    result.is_too_stiff = result.is_too_stiff || (rz > begun && !solve.has_contacts());
     result.residual = first > 0 ? static_cast<float>(std::sqrt(std::max(0.0, rz / first))) : 0;
     return result;
 }
