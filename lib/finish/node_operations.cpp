@@ -44,6 +44,22 @@ std::optional<BetterPlace> plan_move(const WorkMesh& mesh, Index node, std::span
     return better;
 }
 
+namespace {
+
+// Where the whole star is a few tets on their own, merging would take other nodes away with it.
+bool keeps_neighbours(const WorkMesh& mesh, Index node, const Exchange& exchange) {
+    const auto is_kept = [&](Index v) {
+        return v == node || std::any_of(exchange.fresh.begin(), exchange.fresh.end(),
+                                        [v](const Tet& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
+    };
+    return std::all_of(exchange.old.begin(), exchange.old.end(), [&](Index t) {
+        const Tet& corners = mesh.complex.corners(t);
+        return std::all_of(corners.begin(), corners.end(), is_kept);
+    });
+}
+
+}
+
 bool plan_contraction(const WorkMesh& mesh, Index node, std::span<const Index> star, Index target, double floor,
                       Exchange& exchange) {
     exchange.clear();
@@ -57,7 +73,7 @@ bool plan_contraction(const WorkMesh& mesh, Index node, std::span<const Index> s
         if (!(exchange.least > floor)) return false;
         exchange.fresh.push_back(corners);
     }
-    return are_positive(mesh, exchange.fresh);
+    return keeps_neighbours(mesh, node, exchange) && are_positive(mesh, exchange.fresh);
 }
 
 namespace {
