@@ -120,7 +120,8 @@ public:
 private:
     bool clip(Index tet) {
         const int tip = tip_of(mesh_, tet);
-        if (tip < 0) return false;
+        // Where the surface touches itself, a node may have other tets that no face leads to.
+        if (tip < 0 || mesh_.is_pinched[mesh_.complex.corners(tet)[tip]]) return false;
         const Tet corners = mesh_.complex.corners(tet);
         const Vec3 p[4] = {mesh_.at(corners[0]), mesh_.at(corners[1]), mesh_.at(corners[2]), mesh_.at(corners[3])};
         const double volume = signed_volume(p[0], p[1], p[2], p[3]);
