@@ -7,16 +7,19 @@ namespace crumple::solver::CRUMPLE_LANES {
 
 // Moments of the blocks of a row: sums of A, A x, A y, A z.
 inline void row_moments(const ModeJob& job, std::size_t row, float (&sum)[4][9]) {
+    BlockSum plain, by_x, by_y, by_z;
     for (std::size_t k = job.row_start[row]; k < job.row_start[row + 1]; ++k) {
         const float* block = job.blocks + 9 * k;
         const float* x = job.positions + 4 * static_cast<std::size_t>(job.column[k]);
-        for (std::size_t i = 0; i < 9; ++i) {
-            sum[0][i] += block[i];
-            sum[1][i] += block[i] * x[0];
-            sum[2][i] += block[i] * x[1];
-            sum[3][i] += block[i] * x[2];
-        }
+        plain.add(block);
+        by_x.add(block, x[0]);
+        by_y.add(block, x[1]);
+        by_z.add(block, x[2]);
     }
+    plain.store(sum[0]);
+    by_x.store(sum[1]);
+    by_y.store(sum[2]);
+    by_z.store(sum[3]);
 }
 
 // A Z of bodies without constraints: Z is [I, -[x]], columns of blocks are contiguous.

@@ -119,6 +119,10 @@ struct BlockSum {
         v = _mm256_add_ps(v, _mm256_loadu_ps(block));
         last += block[8];
     }
+    void add(const float* block, float times) {
+        v = _mm256_add_ps(v, _mm256_mul_ps(_mm256_loadu_ps(block), _mm256_set1_ps(times)));
+        last += block[8] * times;
+    }
     void store(float* block) const {
         _mm256_storeu_ps(block, v);
         block[8] = last;

@@ -120,6 +120,9 @@ inline constexpr __mmask16 nine = 0x1ff;
 struct BlockSum {
     __m512 v = _mm512_setzero_ps();
     void add(const float* block) { v = _mm512_add_ps(v, _mm512_maskz_loadu_ps(nine, block)); }
+    void add(const float* block, float times) {
+        v = _mm512_add_ps(v, _mm512_mul_ps(_mm512_maskz_loadu_ps(nine, block), _mm512_set1_ps(times)));
+    }
     void store(float* block) const { _mm512_mask_storeu_ps(block, nine, v); }
 };
 

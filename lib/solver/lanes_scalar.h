@@ -108,6 +108,9 @@ struct BlockSum {
     void add(const float* block) {
         for (int i = 0; i < 9; ++i) v[i] += block[i];
     }
+    void add(const float* block, float times) {
+        for (int i = 0; i < 9; ++i) v[i] += block[i] * times;
+    }
     void store(float* block) const {
         for (int i = 0; i < 9; ++i) block[i] = v[i];
     }

@@ -15,8 +15,14 @@ struct Derived {
     std::span<Index> node_start;
     std::span<Index> node_corner;
     std::span<float> alpha_mass;
+    std::span<Index> locked_nodes;
     std::span<ModelMaterial> materials;
 };
+
+std::size_t count_locked(const BundleView& view) {
+    return static_cast<std::size_t>(
+        std::count_if(view.locked.begin(), view.locked.end(), [](std::uint8_t is_locked) { return is_locked != 0; }));
+}
 
 Derived take_arrays(const BundleView& view, Arena& arena) {
     const std::size_t tet_count = view.tets.size();
@@ -27,6 +33,7 @@ Derived take_arrays(const BundleView& view, Arena& arena) {
     d.node_start = arena.take<Index>(node_count + 1);
     d.node_corner = arena.take<Index>(4 * tet_count);
     d.alpha_mass = arena.take<float>(node_count);
+    d.locked_nodes = arena.take<Index>(count_locked(view));
     d.materials = arena.take<ModelMaterial>(view.materials.size());
     return d;
 }
@@ -120,6 +127,21 @@ void fill_alpha_mass(const BundleView& view, const Derived& d) {
     }
 }
 
+void fill_locked_nodes(const BundleView& view, std::span<Index> nodes) {
+    std::size_t count = 0;
+    for (std::size_t node = 0; node < view.locked.size(); ++node) {
+        if (view.locked[node]) nodes[count++] = static_cast<Index>(node);
+    }
+}
+
+PointMasses rest_mass_of(const BundleView& view) {
+    PointMasses masses;
+    for (std::size_t node = 0; node < view.mass.size(); ++node) {
+        masses.add(static_cast<double>(view.mass[node]), widen(view.rest_positions[node]));
+    }
+    return masses;
+}
+
 }
 
 BundleView view_of(const Bundle& b) {
@@ -162,6 +184,7 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
     fill_node_corners(view, d.node_start, d.node_corner);
     mark_boundary(view, d);
     fill_alpha_mass(view, d);
+    fill_locked_nodes(view, d.locked_nodes);
     std::transform(view.materials.begin(), view.materials.end(), d.materials.begin(), [](const Material& m) {
         return ModelMaterial{static_cast<float>(m.creep_per_s), static_cast<float>(m.hardening_pa),
                              static_cast<float>(m.max_plastic_strain)};
@@ -180,11 +203,13 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
         const Lame lame = lame_of(view.materials[view.material[t]], view.stiffness_scale[t]);
         model.stiffness_volume += lame.mu * (lame.ratio + 2) * view.volume[t];
     }
+    model.rest_mass = rest_mass_of(view);
     model.packets = d.packets;
     model.incidence = d.incidence;
     model.node_start = d.node_start;
     model.node_corner = d.node_corner;
     model.alpha_mass = d.alpha_mass;
+    model.locked_nodes = d.locked_nodes;
     model.materials = d.materials;
     return model;
 }

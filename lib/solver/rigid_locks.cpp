@@ -17,28 +17,33 @@ Mat3d wide_block(const Workspace& w, Index k) {
     return a;
 }
 
+// The part of a carried node's row of A that belongs to nodes that are not carried.
+RowMotion free_part_of(const Model& model, const Workspace& w, Index node) {
+    RowMotion row;
+    for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
+        const Index other = model.bundle.column[k];
+        if (!is_carried(model, w, other)) row.add(wide_block(w, k), widen(model.bundle.rest_positions[other]));
+    }
+    return row;
+}
+
 }
 
 RigidLocks make_rigid_locks(const Model& model, const Workspace& w, double carrier_mass, Vec3f fall) {
     RigidLocks rigid;
-    PointMasses whole, carried;
+    PointMasses carried;
     Matrix6 mine{};
-    for (Index i = 0; i < model.node_count; ++i) {
-        const Vec3 x = widen(model.bundle.rest_positions[i]);
-        whole.add(static_cast<double>(model.bundle.mass[i]), x);
+    for (const Index i : model.locked_nodes) {
         if (!is_carried(model, w, i)) continue;
         rigid.is_active = true;
+        const Vec3 x = widen(model.bundle.rest_positions[i]);
         // Rows of K give nothing for a rigid motion of all, so the locked part of a row is the mass minus the rest.
         carried.add(static_cast<double>(w.damped_mass[i]), x);
-        for (Index k = model.bundle.row_start[i]; k < model.bundle.row_start[i + 1]; ++k) {
-            const Index j = model.bundle.column[k];
-            if (is_carried(model, w, j)) continue;
-            add_pair(mine, wide_block(w, k), x, widen(model.bundle.rest_positions[j]), -1);
-        }
+        add_row(mine, x, free_part_of(model, w, i), -1);
     }
     if (!rigid.is_active) return rigid;
-    const double more = std::isfinite(carrier_mass) ? std::max(0.0, carrier_mass / whole.mass() - 1) : 0;
-    rigid.own_mass = whole.matrix();
+    const double more = std::isfinite(carrier_mass) ? std::max(0.0, carrier_mass / model.rest_mass.mass() - 1) : 0;
+    rigid.own_mass = model.rest_mass.matrix();
     const Matrix6 own = carried.matrix();
     for (std::size_t i = 0; i < 36; ++i) {
         rigid.own_mass[i] *= more;
@@ -57,9 +62,9 @@ RigidLocks make_rigid_locks(const Model& model, const Workspace& w, double carri
 
 Six take_carried(const Model& model, const Workspace& w, std::span<float> rows) {
     Six sum{};
-    for (std::size_t node = 0; node < model.node_count; ++node) {
+    for (const Index node : model.locked_nodes) {
         if (!is_carried(model, w, node)) continue;
-        float* row = &rows[4 * node];
+        float* row = &rows[4 * std::size_t{node}];
         add_to(sum, 1, push_at(widen(model.bundle.rest_positions[node]), Vec3{row[0], row[1], row[2]}));
         std::fill_n(row, 3, 0.0f);
     }
@@ -78,10 +83,11 @@ double precondition_rigid(RigidLocks& rigid) {
 
 void spread_rigid(const RigidLocks& rigid, const Model& model, Workspace& w) {
     if (!rigid.is_active) return;
-    for (std::size_t node = 0; node < model.node_count; ++node) {
+    for (const Index node : model.locked_nodes) {
         if (!is_carried(model, w, node)) continue;
         const Vec3 v = rigid_velocity(rigid.direction, widen(model.bundle.rest_positions[node]));
-        for (int i = 0; i < 3; ++i) w.direction[4 * node + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
+        for (int i = 0; i < 3; ++i)
+            w.direction[4 * std::size_t{node} + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
     }
 }
 

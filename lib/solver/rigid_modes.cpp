@@ -60,12 +60,13 @@ void add_energies(const Model& model, const State& state, const Workspace& w, st
     for (std::size_t begin = 0; begin < model.node_count; begin += nodes_per_piece) {
         float sums[6][8] = {};
         for (std::size_t node = begin; node < std::min(begin + nodes_per_piece, model.node_count); ++node) {
+            if (!is_in(node)) continue;
             Columns at = columns_at(position(state, node));
             while (next < partials.size() && partials[next].node < node) ++next;
             if (next < partials.size() && partials[next].node == node) {
                 for (Vec3f& column : at.z) column = column - taken_part(partials[next], column);
             }
-            if (is_in(node)) add_energy(at, &w.mode_rows[mode_floats * node], sums);
+            add_energy(at, &w.mode_rows[mode_floats * node], sums);
         }
         for (std::size_t r = 0; r < 6; ++r) {
             for (std::size_t c = 0; c < 6; ++c) energy[6 * r + c] += static_cast<double>(sums[r][c]);

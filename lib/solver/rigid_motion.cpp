@@ -24,12 +24,17 @@ Six times(const Matrix6& m, const Six& v) {
     return result;
 }
 
-void add_pair(Matrix6& m, const Mat3d& b, Vec3 xi, Vec3 xj, double s) {
-    const Mat3d turned = b * cross_matrix(xj);
-    add_block(m, 0, 0, b, s);
-    add_block(m, 0, 3, turned, -s);
-    add_block(m, 3, 0, cross_matrix(xi) * b, s);
-    add_block(m, 3, 3, cross_matrix(xi) * turned, -s);
+void RowMotion::add(const Mat3d& b, Vec3 x) {
+    blocks = blocks + b;
+    turned = turned + b * cross_matrix(x);
+}
+
+void add_row(Matrix6& m, Vec3 x, const RowMotion& row, double s) {
+    const Mat3d arm = cross_matrix(x);
+    add_block(m, 0, 0, row.blocks, s);
+    add_block(m, 0, 3, row.turned, -s);
+    add_block(m, 3, 0, arm * row.blocks, s);
+    add_block(m, 3, 3, arm * row.turned, -s);
 }
 
 Matrix6 PointMasses::matrix() const {

@@ -35,8 +35,15 @@ inline void add_to(Six& a, double s, const Six& b) {
 
 [[nodiscard]] Six times(const Matrix6& m, const Six& v);
 
-// m += s T_i^T B T_j with T = [I, -[x]], the velocity at x that a motion has.
-void add_pair(Matrix6& m, const Mat3d& b, Vec3 xi, Vec3 xj, double s);
+// Sum of B_j T_j over some j, with T = [I, -[x]], the velocity at x that a motion has.
+struct RowMotion {
+    Mat3d blocks;  // sum of B_j
+    Mat3d turned;  // sum of B_j [x_j]
+    void add(const Mat3d& b, Vec3 x);
+};
+
+// m += s T^T (row), T at x.
+void add_row(Matrix6& m, Vec3 x, const RowMotion& row, double s);
 
 // Points of mass as one rigid body.
 class PointMasses {
