@@ -14,7 +14,7 @@ Vec3f pull_on(const InstanceInput& input, const Frame& frame) {
 }
 
 // Whether an obstacle that moves may reach the ball around the sleeping body in this step.
-bool is_reached(const StateHeader& header, const InstanceInput& input, const Frame& frame) {
+bool is_ball_reached(const StateHeader& header, const InstanceInput& input, const Frame& frame) {
     return std::any_of(input.obstacles.begin(), input.obstacles.end(), [&](const Obstacle& o) {
         const Vec3 centre = frame.point_to_world(header.sleep_centre);
         const Vec3f v = frame.velocity(centre, o.velocity + cross(o.angular_velocity, centre - o.position));
@@ -24,11 +24,25 @@ bool is_reached(const StateHeader& header, const InstanceInput& input, const Fra
     });
 }
 
-bool stays_asleep(const State& state, const InstanceInput& input, const Frame& frame) {
+// is_fixed and damped_mass are free until the step fills them.
+ContactCounts contacts_in(const Model& model, const State& state, Workspace& w, const InstanceInput& input,
+                          const Frame& frame, std::span<Constraint> room) {
+    return find_contacts(model, state, frame, input.obstacles, pull_on(input, frame), input.dt,
+                         w.is_fixed.first(model.node_count), w.damped_mass.first(model.node_count), room);
+}
+
+bool touches(const Model& model, const State& state, Workspace& w, const InstanceInput& input, const Frame& frame) {
+    std::fill(w.is_fixed.begin(), w.is_fixed.end(), std::uint8_t{0});
+    return contacts_in(model, state, w, input, frame, {}).found > 0;
+}
+
+// What moves past or away within the ball wakes nobody.
+bool stays_asleep(const Model& model, const State& state, Workspace& w, const InstanceInput& input,
+                  const Frame& frame) {
     const StateHeader& header = *state.header;
     return header.is_asleep != 0 && input.may_sleep && input.hits.empty() &&
            length(pull_on(input, frame) - header.sleep_pull) <= input.sleep.wake_pull &&
-           !is_reached(header, input, frame);
+           !(is_ball_reached(header, input, frame) && touches(model, state, w, input, frame));
 }
 
 void fall_asleep(const Model& model, State& state, Vec3f pull) {
@@ -55,7 +69,9 @@ void watch_sleep(const Model& model, State& state, const InstanceInput& input, c
         const Vec3f v = velocity(state, node);
         fastest = std::max(fastest, dot(v, v));
     }
-    const bool is_quiet = fastest < input.sleep.speed * input.sleep.speed && step.warnings == 0;
+    // Stiffness beyond float makes some nodes slow to answer; those at rest stay there.
+    const bool is_quiet =
+        fastest < input.sleep.speed * input.sleep.speed && (step.warnings & ~std::uint32_t{step_too_stiff}) == 0;
     state.header->quiet_s = is_quiet ? state.header->quiet_s + input.dt : 0;
     if (input.may_sleep && state.header->quiet_s >= input.sleep.after_s) fall_asleep(model, state, pull);
 }
@@ -63,17 +79,13 @@ void watch_sleep(const Model& model, State& state, const InstanceInput& input, c
 // The caller's constraints and the contacts, one after the other in `room`.
 std::size_t fill_room(const Model& model, const State& state, Workspace& w, const InstanceInput& input,
                       const Frame& frame, InstanceReport& report) {
-    // is_fixed and damped_mass are free until the step fills them.
-    const std::span<std::uint8_t> is_taken = w.is_fixed.first(model.node_count);
-    std::fill(is_taken.begin(), is_taken.end(), std::uint8_t{0});
+    std::fill(w.is_fixed.begin(), w.is_fixed.end(), std::uint8_t{0});
     const std::size_t given = std::min(input.room.size(), input.constraints.size());
     std::copy_n(input.constraints.begin(), given, input.room.begin());
     for (const Constraint& c : input.constraints) {
-        if (c.node < model.node_count) is_taken[c.node] = 1;
+        if (c.node < model.node_count) w.is_fixed[c.node] = 1;
     }
-    const ContactCounts counts =
-        find_contacts(model, state, frame, input.obstacles, pull_on(input, frame), input.dt, is_taken,
-                      w.damped_mass.first(model.node_count), input.room.subspan(given));
+    const ContactCounts counts = contacts_in(model, state, w, input, frame, input.room.subspan(given));
     report.contacts = counts.written;
     report.is_room_too_small = counts.written < counts.found || given < input.constraints.size();
     return given + counts.written;
@@ -89,12 +101,8 @@ Vec3 turned(Vec3 v, Vec3 turn) {
 
 // How much faster the rigid body will turn for it, if its mass lies as the nodes' did at rest.
 Vec3 turn_by(const Model& model, const InstanceInput& input, const Six& push) {
-    PointMasses nodes;
-    for (std::size_t node = 0; node < model.node_count; ++node) {
-        nodes.add(static_cast<double>(model.bundle.mass[node]), widen(model.bundle.rest_positions[node]));
-    }
-    const double more = std::max(1.0, input.carrier_mass / nodes.mass());
-    return angular_part(times(inverse_of(nodes.matrix(), 1e-12), push)) / more;
+    const double more = std::max(1.0, input.carrier_mass / model.rest_mass.mass());
+    return angular_part(times(inverse_of(model.rest_mass.matrix(), 1e-12), push)) / more;
 }
 
 CarrierLoad load_of(const Model& model, const Frame& frame, const InstanceInput& input, const Six& before,
@@ -123,7 +131,7 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
                              const Settings& settings, const Jobs& jobs) noexcept {
     InstanceReport report;
     const Frame frame(input.carrier);
-    report.is_asleep = stays_asleep(state, input, frame);
+    report.is_asleep = stays_asleep(model, state, w, input, frame);
     if (report.is_asleep) return report;
     if (is_asleep(state)) wake(state);
 

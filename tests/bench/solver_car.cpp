@@ -72,6 +72,7 @@ solver::InstanceReport Car::drive(const CarModel& shared, Garage& garage) {
     input.gravity = {};  // the wheels carry the weight
     input.obstacles = {&obstacle, 1};
     input.room = garage.room;
+    input.may_sleep = false;  // what is measured is a car that moves
     const solver::InstanceReport report = step_instance(shared.model, state, garage.workspace, input);
     body.step(report.load, {}, static_cast<double>(dt));
     return report;

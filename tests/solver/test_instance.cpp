@@ -31,7 +31,8 @@ Material clay() {
 }
 
 struct Sleeper {
-    Sleeper() : body(grid_body({4, 2, 2}, {0.3f, 0.3f, 0.3f}, clay(), [](Vec3f p) { return p.x > 1; })) {
+    explicit Sleeper(const Material& material = clay())
+        : body(grid_body({4, 2, 2}, {0.3f, 0.3f, 0.3f}, material, [](Vec3f p) { return p.x > 1; })) {
         room.resize(body.node_count());
         input.gravity = {0, -9.81, 0};
         input.room = room;
@@ -121,6 +122,30 @@ TEST(Sleep, WakesForWhatHappens) {
     EXPECT_FALSE(wakes([&](Sleeper& s) { s.input.obstacles = {&ball, 1}; }));
     ball.position = {-0.6, 0.3, 0.3};
     EXPECT_TRUE(wakes([&](Sleeper& s) { s.input.obstacles = {&ball, 1}; }));
+}
+
+// Within the ball around the body, over its flat top.
+TEST(Sleep, SleepsOnWhileSomethingPassesBy) {
+    Sleeper sleeper;
+    sleeper.settle();
+    Obstacle passing;
+    passing.shape = ObstacleShape::capsule;
+    passing.axis = {};
+    passing.radius = 0.1;
+    passing.velocity = {0, 0, 5};
+    passing.position = {0.6, 0.9, 0.3};
+    sleeper.input.obstacles = {&passing, 1};
+    EXPECT_TRUE(sleeper.step().is_asleep);
+    passing.velocity = {0, -30, 0};
+    EXPECT_FALSE(sleeper.step().is_asleep);
+}
+
+TEST(Sleep, WhatIsTooStiffForFloatSleepsToo) {
+    Material stiff = clay();
+    stiff.young_pa = 1e12;
+    Sleeper sleeper(stiff);
+    EXPECT_TRUE(sleeper.step().step.warnings & step_too_stiff);
+    EXPECT_LT(sleeper.settle(), 10);
 }
 
 TEST(Sleep, ASavedSleeperSleepsOn) {
