@@ -180,6 +180,7 @@ void step_car(const Asset& asset, Car& car, Worker& worker) {
     solver::InstanceInput input;
     input.dt = dt;
     input.carrier = car.body.motion();
+    input.carrier_mass = car.body.mass;
     input.gravity = {};  // the wheels carry the weight
     input.obstacles = {&wall, 1};
     input.room = worker.room;
@@ -256,8 +257,11 @@ int run(int argc, char** argv) {
                 frame_count, 1000.0 * static_cast<double>(dt), thread_count, thread_count == 1 ? "" : "s");
     print_times("while cars crumple ", busy);
     print_times("while all are still", quiet);
-    std::printf("first car: deepest dent %.3f m, leaves the wall at %.2f m/s; %d of %d asleep at the end\n",
-                static_cast<double>(deepest_dent(asset, cars[0])), -cars[0].body.velocity.z, count_asleep(cars),
+    std::vector<float> dents;
+    for (const Car& car : cars) dents.push_back(deepest_dent(asset, car));
+    const auto [least, most] = std::minmax_element(dents.begin(), dents.end());
+    std::printf("dents %.3f to %.3f m deep, the first car leaves the wall at %.2f m/s; %d of %d asleep at the end\n",
+                static_cast<double>(*least), static_cast<double>(*most), -cars[0].body.velocity.z, count_asleep(cars),
                 car_count);
     return 0;
 }
