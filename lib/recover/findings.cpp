@@ -87,7 +87,7 @@ std::vector<Finding> describe_findings(const Evidence& evidence) {
     keep(missing_finding(
         "RECOVER_STUCK",
         "edges and triangles of the shell that could not be brought back, so the winding number decides "
-        "what is inside there; raise max_steiner or use rounder triangles",
+        "what is inside there; raise max_steiner or budget, or use rounder triangles",
         evidence, evidence.edges.stuck, evidence.triangles.stuck));
     Finding steiner{
         "RECOVER_STEINER",

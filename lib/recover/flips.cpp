@@ -193,7 +193,9 @@ bool Flips::clear_edge(Index u, Index v, int depth) {
     if (tet == none) return true;
     complex_.ring_of(tet, u, v, ring_);
     const auto n = static_cast<int>(std::min(ring_.link.size(), longest_ring));
-    looks_left_ -= 1 + n * n * n / ring_of_one_look;
+    const int looks = 1 + n * n * n / ring_of_one_look;
+    looks_left_ -= looks;
+    looks_ += static_cast<std::uint64_t>(looks);
     Exchange exchange;
     if (plan_edge_removal({}, tet, u, v, exchange)) {
         apply(exchange);

@@ -53,6 +53,7 @@ public:
 
     // How often clear_edge may look at an edge from now on; large rings count more.
     void set_budget(int looks) { looks_left_ = looks; }
+    [[nodiscard]] std::uint64_t looks() const { return looks_; }  // in all
 
     [[nodiscard]] std::size_t mark() const { return journal_.size(); }
     void roll_back(std::size_t mark);
@@ -86,6 +87,7 @@ private:
     std::vector<Entry> journal_;
     std::uint64_t count_ = 0;
     int looks_left_ = 0;
+    std::uint64_t looks_ = 0;
     TetRing ring_;
     std::vector<Cell> table_;
 };

@@ -88,7 +88,8 @@ Outcome Liberator::free_segment(Index a, Index b, int depth) {
         if (exchange_for_segment(goal)) continue;
         if (is_blocked(constraints_, crossings_)) return Outcome::blocked;
         bool has_progress = false;
-        for (int level = 1; level <= depth && !has_progress; ++level) has_progress = clear_for_segment(goal, level);
+        for (int level = 1; level <= depth && !has_progress && !is_out_of_budget(); ++level)
+            has_progress = clear_for_segment(goal, level);
         if (!has_progress) return Outcome::stuck;
     }
 }
@@ -131,7 +132,8 @@ Outcome Liberator::free_facet(const Triangle& facet, int depth) {
         if (exchange_for_facet(goal)) continue;
         if (is_blocked(constraints_, obstacles_)) return Outcome::blocked;
         bool has_progress = false;
-        for (int level = 1; level <= depth && !has_progress; ++level) has_progress = clear_for_facet(goal, level);
+        for (int level = 1; level <= depth && !has_progress && !is_out_of_budget(); ++level)
+            has_progress = clear_for_facet(goal, level);
         if (!has_progress) return Outcome::stuck;
     }
 }

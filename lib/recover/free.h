@@ -2,6 +2,7 @@
 // Frees one segment or one facet by exchanging tets: every exchange leaves fewer obstacles than it found, or is undone.
 // So it ends.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/index.h"
@@ -38,6 +39,10 @@ public:
     [[nodiscard]] const FacetObstacles& obstacles() const { return obstacles_; }
     [[nodiscard]] Index node() const { return node_; }
     [[nodiscard]] std::uint64_t exchanges() const { return flips_.count(); }
+    // Looks at edges for all that is to become free. What needs none still comes free when there are none left.
+    void set_budget(std::uint64_t looks) { budget_ = looks; }
+    [[nodiscard]] std::uint64_t looks() const { return flips_.looks(); }
+    [[nodiscard]] bool is_out_of_budget() const { return looks() >= budget_; }
 
 private:
     bool exchange_for_segment(const Goal& goal);
@@ -51,6 +56,7 @@ private:
     std::vector<Crossing> crossings_;
     FacetObstacles obstacles_;
     Index node_ = none;
+    std::uint64_t budget_ = 0;
 };
 
 }

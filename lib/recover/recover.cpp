@@ -59,6 +59,8 @@ Result recover_shell(TetMesh mesh, const Shell& shell, const Params& params, con
     const Missing<Triangle> triangles = recovery.judge_facets(edges);
     report_missing(report, edges, triangles);
     report.exchanges = recovery.exchanges();
+    report.looks = recovery.looks();
+    report.is_out_of_budget = recovery.is_out_of_budget();
     report.steiner_points_tried = recovery.splits_tried();
     report.steiner_points = recovery.splits().size();
     report.findings = describe_findings({shell, complex, task.constraints, recovery.splits(), edges, triangles});

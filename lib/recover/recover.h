@@ -15,7 +15,7 @@
 
 namespace crumple::recover {
 
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
 enum class Mode { off, automatic, always };
 inline constexpr EnumName<Mode> mode_names[] = {
@@ -27,6 +27,7 @@ struct Params {
     std::uint32_t depth = 2;
     double max_steiner = 0.1;
     double negligible = 0.02;
+    std::uint32_t budget = 50;
 };
 
 template <class Visitor, FieldsOf<Params> P>
@@ -42,6 +43,9 @@ void describe(Visitor& visit, P& p) {
         "negligible", p.negligible, Range{0, 0.1},
         "auto: a missing edge of less than 5 degrees fold is no loss when the tets' own faces pass this near to it, "
         "in lengths of it (and nearer than 0.1 % of the shell's diagonal)");
+    visit.field("budget", p.budget, Range{0, 1e6},
+                "looks at what is in the way, for each of the shell's edges and triangles, on average, at most: a "
+                "shell needs 0 to 5, one that lies across itself as many as it gets");
 }
 
 // Of the shell's edges and triangles, copies counted once.
@@ -55,6 +59,8 @@ struct Report {
     std::uint64_t negligible_edges = 0;
     std::uint64_t negligible_triangles = 0;
     std::uint64_t exchanges = 0;
+    std::uint64_t looks = 0;
+    bool is_out_of_budget = false;
     std::uint64_t steiner_points_tried = 0;
     std::uint64_t steiner_points = 0;
     std::uint64_t added_nodes = 0;
@@ -74,6 +80,8 @@ void describe(Visitor& visit, R& r) {
     visit.field("negligible_edges", r.negligible_edges, "of those, where the tets' own edges run next to them");
     visit.field("negligible_triangles", r.negligible_triangles, "of those, where the tets' own faces cover them");
     visit.field("exchanges", r.exchanges, "of a few tets for others");
+    visit.field("looks", r.looks, "at edges of the tets that were in the way, and at what was in their way");
+    visit.field("is_out_of_budget", r.is_out_of_budget, "whether those were all that `budget` allows");
     visit.field("steiner_points_tried", r.steiner_points_tried, "nodes put on edges and triangles of the shell");
     visit.field("steiner_points", r.steiner_points, "of those, that had to stay");
     visit.field("added_nodes", r.added_nodes, "nodes more than before, those included");

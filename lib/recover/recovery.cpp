@@ -54,6 +54,8 @@ Recovery::Recovery(TetComplex& complex, Constraints& constraints, const Params& 
     }
     if (params.max_steiner > 0)
         max_splits_ = static_cast<std::size_t>(params.max_steiner * static_cast<double>(nodes)) + 4;
+    liberator_.set_budget(std::uint64_t{params.budget} *
+                          (constraints.segments().size() + constraints.facets().size()));
 }
 
 std::vector<Edge> Recovery::missing_segments() const {
@@ -155,7 +157,7 @@ bool Recovery::free_facets(std::uint32_t depth) {
 }
 
 bool Recovery::may_split() const {
-    return splits_.size() < max_splits_ && splits_tried_ < tries_per_split * max_splits_;
+    return splits_.size() < max_splits_ && splits_tried_ < tries_per_split * max_splits_ && !is_out_of_budget();
 }
 
 bool Recovery::split_at_crossing(const Edge& segment) {

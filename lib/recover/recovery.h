@@ -40,6 +40,8 @@ public:
     [[nodiscard]] const std::vector<Split>& splits() const { return splits_; }  // that stay
     [[nodiscard]] std::uint64_t splits_tried() const { return splits_tried_; }
     [[nodiscard]] std::uint64_t exchanges() const { return liberator_.exchanges(); }
+    [[nodiscard]] std::uint64_t looks() const { return liberator_.looks(); }
+    [[nodiscard]] bool is_out_of_budget() const { return liberator_.is_out_of_budget(); }
 
 private:
     // Each tells whether some that matter are stuck.

@@ -166,6 +166,7 @@ TEST(Mutated, EveryShellGivesAValidMeshOrAReason) {
         }
         ++cooked_count;
         EXPECT_EQ(test::fault_of(cooked), "") << "seed " << seed;
+        EXPECT_EQ(test::fault_when_finished(cooked), "") << "seed " << seed;
     }
     EXPECT_GT(cooked_count, count / 3);  // the mutations are not all fatal
 }
