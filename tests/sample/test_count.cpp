@@ -2,9 +2,9 @@
 #include "sample/count.h"
 
 #include <gtest/gtest.h>
+#include <regex.h>
 
 #include <cmath>
-#include <regex>
 #include <string>
 
 #include "core/error.h"
@@ -48,12 +48,15 @@ bool is_read(const std::string& text) {
 }
 
 TEST(Count, TheSchemasPatternTakesWhatTheProgramTakes) {
-    const std::regex pattern{std::string(count_pattern.text)};
+    // Not std::regex: g++ 12 takes its insides for uninitialized where sanitizers look on.
+    regex_t pattern;
+    ASSERT_EQ(regcomp(&pattern, std::string(count_pattern.text).c_str(), REG_EXTENDED | REG_NOSUB), 0);
     for (const char* text : {"auto",         "Auto",    "",         "0",       "00",           "0007",
                              "999999",       "1000000", "01000000", "1000001", "9999999",      "00999999",
                              "tets:0",       "tets:00", "tets:1",   "tets:01", "tets:1000000", "tets:1000001",
                              "tets:9999999", "tets:",   "-1",       "1e3"})
-        EXPECT_EQ(std::regex_search(text, pattern), is_read(text)) << text;
+        EXPECT_EQ(regexec(&pattern, text, 0, nullptr, 0) == 0, is_read(text)) << text;
+    regfree(&pattern);
 }
 
 TEST(Count, TheThreeFormsAreRead) {
