@@ -37,6 +37,7 @@ int run_check(const FileFlags& flags, const Console& console) {
     if (flags.updates_baseline && !flags.baseline.empty())
         check_output_paths({{"--baseline", flags.baseline}}, flags.files);
     const pipeline::BaselineFile baseline = baseline_of(flags);
+    if (!flags.baseline.empty()) pipeline::check_asset_names(flags.files);
     const bool compares = !flags.baseline.empty() && !flags.updates_baseline;
     pipeline::CheckReport report;
     for (const std::string& path : flags.files) {

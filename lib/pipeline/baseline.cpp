@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "core/error.h"
 #include "pipeline/bundle_gates.h"
 #include "report/json_reader.h"
 #include "report/json_writer.h"
@@ -35,6 +36,16 @@ BaselineFile load_baseline(const std::string& path, bool may_be_missing) {
     if (baseline.schema != BaselineFile().schema)
         throw Error(ErrorKind::usage, path + ": schema: '" + baseline.schema + "' is not " + BaselineFile().schema);
     return baseline;
+}
+
+void check_asset_names(const std::vector<std::string>& paths) {
+    std::map<std::string, std::string> known;
+    for (const std::string& path : paths) {
+        const auto [other, is_new] = known.try_emplace(asset_of(path), path);
+        if (is_new) continue;
+        throw Error(ErrorKind::usage, other->second + " and " + path + ": a baseline knows both as '" + other->first +
+                                          "'; give one another name, or a baseline of its own");
+    }
 }
 
 void compare_with(const BaselineFile& baseline, FileCheck& check) {

@@ -24,6 +24,9 @@ void describe(Visitor& visit, B& b) {
 // Throws Error(file), or Error(usage) for what is no baseline. An absent file is an empty one when it may be missing.
 [[nodiscard]] BaselineFile load_baseline(const std::string& path, bool may_be_missing);
 
+// Throws Error(usage) for two paths whose bundles go by one name there.
+void check_asset_names(const std::vector<std::string>& paths);
+
 // GATE_PCG_SOFT and the like are added to the findings, by the gates the bundle was cooked with; BASELINE_MISSING when
 // the file does not know it. Files that were not checked to the end stay as they are.
 void compare_with(const BaselineFile& baseline, FileCheck& check);

@@ -134,6 +134,18 @@ class Baseline(program.Case):
         self.check("--update-baseline")
         self.assertEqual(sorted(json.loads(self.baseline.read_text())["assets"]), ["bike", "out"])
 
+    def test_two_assets_of_one_name_are_refused(self):
+        other = self.path("b") / "out.hdf"
+        other.parent.mkdir()
+        other.write_bytes(self.output.read_bytes())
+        words = ["check", self.output, other, "--baseline", self.baseline]
+        said = [f"{self.output} and {other}", "'out'", "another name"]
+        self.fails(program.run(*words, "--update-baseline"), 1, *said)
+        self.assertFalse(self.baseline.exists())
+        self.check("--update-baseline")
+        self.fails(program.run(*words), 1, *said)
+        self.ok(program.run("check", self.output, other))
+
     def test_more_iterations_warn_and_then_fail(self):
         self.check("--update-baseline")
         now = json.loads(self.baseline.read_text())["assets"]["out"]["pcg_stiff"]
