@@ -90,6 +90,16 @@ std::vector<std::string> visual_names(const Sources& sources) {
     return names;
 }
 
+std::vector<std::string> shell_object_names(const Sources& sources, const Params& params) {
+    const Scene scene = load_scene(sources.shell, Purpose::shell, params);
+    return naming(sources.shell, [&] {
+        std::vector<std::string> names;
+        Surface surface = flatten(scene, placement_of(scene, params), params, stem_of(sources.shell));
+        for (Object& object : surface.objects) names.push_back(std::move(object.name));
+        return names;
+    });
+}
+
 Result import_asset(const Sources& sources, const Params& params, const Context& context) {
     const auto names = visual_names(sources);
     Result result;

@@ -192,6 +192,10 @@ struct Result {
 // As given, else after the file. Throws Error(usage) for one that is no name, or there twice.
 [[nodiscard]] std::vector<std::string> visual_names(const Sources& sources);
 
+// Of the objects in the shell's file, which give the components their names; the file's stem for one it does not name.
+// Throws as import_asset. REQUIRES: as import_asset.
+[[nodiscard]] std::vector<std::string> shell_object_names(const Sources& sources, const Params& params);
+
 // With params.thicken or params.cage the shell is what they say; otherwise
 // vertices of the shell are in the file's order (of their first copy); those of a visual mesh are the file's own
 // vertices in the file's order, where the format has an order (OBJ, PLY, OFF, glTF), else one a face corner. Throws

@@ -138,6 +138,7 @@ public:
     [[nodiscard]] std::vector<std::string> all_attributes() const;                // "<group path>@<name>", sorted
 
     [[nodiscard]] DatasetInfo info(const std::string& path) const;
+    [[nodiscard]] Layout layout(const std::string& path) const;  // contiguous for a dataset of no elements
     [[nodiscard]] Dataset read_bytes(const std::string& path) const;
     template <Stored T>
     [[nodiscard]] std::vector<T> read(const std::string& path) const {

@@ -155,6 +155,12 @@ struct FileReader::State {
         return infos[path] = info_of(open_dataset(path).id(), image.size());
     }
 
+    [[nodiscard]] Layout layout(const std::string& path) const {
+        const Handle dataset = open_dataset(path);
+        const Handle settings(H5Dget_create_plist(dataset.id()), H5Pclose);
+        return H5Pget_layout(settings.id()) == H5D_CHUNKED ? Layout::compressed : Layout::contiguous;
+    }
+
     void read_into(const std::string& path, const DatasetInfo& info, std::span<std::byte> bytes) const {
         if (bytes.empty()) return;
         const Handle dataset = open_dataset(path);
@@ -199,6 +205,10 @@ std::vector<std::string> FileReader::all_attributes() const {
 
 DatasetInfo FileReader::info(const std::string& path) const {
     return state_->at(path, [&] { return state_->info(path); });
+}
+
+Layout FileReader::layout(const std::string& path) const {
+    return state_->at(path, [&] { return state_->layout(path); });
 }
 
 Dataset FileReader::read_bytes(const std::string& path) const {

@@ -266,6 +266,32 @@ class DryRun(program.Case):
         self.visual.write_text(self.visual.read_text() + "# touched\n")
         self.assertEqual(self.dry()["reasons"], ["input visual/visual changed"])
 
+    def test_another_layout_is_a_reason(self):
+        self.ok(self.cook())
+        self.assertEqual(self.dry("--layout", "contiguous")["reasons"], ["--layout changed from chunked to contiguous"])
+        self.ok(self.cook("--layout", "contiguous"))
+        self.assertEqual(self.dry("--layout", "contiguous")["reasons"], [])
+        self.assertEqual(self.dry()["reasons"], ["--layout changed from contiguous to chunked"])
+
+    def test_another_order_of_the_visual_meshes_is_a_reason(self):
+        self.ok(self.cook("--visual", f"wheel={self.visual}"))
+        self.assertEqual(self.dry("--visual", f"wheel={self.visual}")["reasons"], [])
+        report = self.json_of(program.run("cook", "smoke", "--shell", self.shell, "--visual", f"wheel={self.visual}",
+                                          "--visual", self.visual, "-o", self.output, "--dry-run", "--format", "json"))
+        self.assertEqual(report["reasons"], ["the visual meshes came in another order"])
+
+    def test_another_name_of_the_shell_s_file_is_a_reason_where_regions_are_named_after_it(self):
+        self.ok(self.cook())
+        self.shell = self.shell.rename(self.path("body.obj"))
+        self.assertEqual(self.dry()["reasons"], ["the shell's file was renamed: what it does not name is now 'body'"])
+        self.shell.write_text("o car\n" + self.shell.read_text())
+        self.ok(self.cook())
+        before = self.output.read_bytes()
+        self.shell = self.shell.rename(self.path("other.obj"))
+        self.assertEqual(self.dry()["reasons"], [])
+        self.ok(self.cook())
+        self.assertEqual(self.output.read_bytes(), before)
+
     def test_a_damaged_output_is_a_reason(self):
         self.ok(self.cook())
         self.output.write_bytes(self.output.read_bytes()[:1000])
