@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <span>
 
 #include "cli/depfile.h"
@@ -66,7 +65,7 @@ CookRequest request_of(const CookFlags& flags) {
 
 std::vector<std::string> inputs_of(const CookFlags& flags, const Recipe& recipe, const CookRequest& request) {
     std::vector<std::string> inputs = input_paths(request.sources, recipe);
-    if (std::filesystem::exists(flags.recipe)) inputs.push_back(flags.recipe);
+    if (pipeline::is_recipe_path(flags.recipe)) inputs.push_back(flags.recipe);
     return inputs;
 }
 

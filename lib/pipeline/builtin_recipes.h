@@ -19,7 +19,9 @@ struct RecipeText {
     std::string json;
 };
 
-// A path (ends in .json or holds a slash) or the name of a builtin recipe.
+// A path ends in .json or holds a slash; everything else is the name of a builtin recipe.
+[[nodiscard]] bool is_recipe_path(const std::string& name_or_path);
+
 // Throws Error(file) for a path that cannot be read, Error(usage) with the nearest name.
 [[nodiscard]] RecipeText load_recipe_text(const std::string& name_or_path);
 

@@ -8,8 +8,12 @@
 
 namespace crumple::pipeline {
 
+bool is_recipe_path(const std::string& name_or_path) {
+    return name_or_path.ends_with(".json") || name_or_path.find('/') != std::string::npos;
+}
+
 RecipeText load_recipe_text(const std::string& name_or_path) {
-    if (name_or_path.ends_with(".json") || name_or_path.find('/') != std::string::npos) {
+    if (is_recipe_path(name_or_path)) {
         const std::vector<std::byte> bytes = store::read_file(name_or_path);
         return {name_or_path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
     }

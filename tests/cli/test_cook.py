@@ -152,6 +152,12 @@ class Output(program.Case):
         self.assertEqual(depfile.read_text().split(),
                          [f"{self.output}:", str(self.shell), str(self.visual), str(program.SOURCE / "pipelines/smoke.json")])
 
+    def test_what_has_the_name_of_a_builtin_recipe_is_not_read_and_no_input(self):
+        self.path("smoke").write_text("notes")
+        self.path("preview").mkdir()
+        for recipe in ["smoke", "preview"]:
+            self.ok(self.cook("--depfile", "dep.d", recipe=recipe, cwd=self.folder))
+            self.assertEqual(self.path("dep.d").read_text().split(), [f"{self.output}:", str(self.shell), str(self.visual)])
 
     def test_the_depfile_is_read_by_make_whatever_the_names(self):
         make = shutil.which("make")
