@@ -8,9 +8,11 @@
 #include "bundle/blob.h"
 #include "core/counted.h"
 #include "geometry/predicates.h"
+#include "pipeline/bundle_gates.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/quality_view.h"
 #include "pipeline/work_parts.h"
+#include "report/text_view.h"
 #include "sandbox/sandbox.h"
 #include "store/bundle_file.h"
 #include "store/read_file.h"
@@ -133,12 +135,25 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
 
 namespace {
 
+bool is_refused(const Workspace& work) {
+    const std::optional<ToldGates> told = told_gates(work.records);
+    return work.bundle && told && report::has_severity(told->report.findings, Severity::error);
+}
+
+// Nobody made a link of it, or protected it.
+bool is_as_we_left_it(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, ignored);
+    return std::filesystem::is_regular_file(status) &&
+           (status.permissions() & std::filesystem::perms::owner_write) != std::filesystem::perms::none;
+}
+
 // Best effort: the cook went well whatever becomes of it.
 void forget_rejected(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    if (!is_as_we_left_it(path)) return;
     try {
-        if (read_work_file(path).bundle) std::filesystem::remove(path, ignored);
+        std::error_code ignored;
+        if (is_refused(read_work_file(path))) std::filesystem::remove(path, ignored);
     } catch (const Error&) {
         return;  // no file of ours
     }

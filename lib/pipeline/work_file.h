@@ -38,8 +38,9 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
 [[noreturn]] void reject(const std::vector<Finding>& findings, const std::string& output,
                          const std::vector<std::byte>& image);
 
-// Puts the image at the output, and takes away a result that was refused there before, if it is a file of ours: what
-// nobody asks about any more would be taken for news. Returns false when the output held these bytes already.
+// Puts the image at the output, and takes away a result that was refused there before, if its record says that a
+// gate refused it: what nobody asks about any more would be taken for news. A link or a read-only file stays. Returns
+// false when the output held these bytes already.
 bool accept(const std::string& output, const std::vector<std::byte>& image);
 
 // Returns false, and touches nothing, when the file holds these bytes already.

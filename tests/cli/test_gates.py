@@ -40,6 +40,24 @@ class Rejected(program.Case):
         self.ok(self.cook())
         self.assertEqual(self.rejected.read_text(), "notes")
 
+    def test_a_good_bundle_of_that_name_stays(self):
+        self.ok(self.cook(output=self.rejected))
+        before = self.rejected.read_bytes()
+        self.ok(self.cook())
+        self.assertEqual(self.rejected.read_bytes(), before)
+
+    def test_a_refused_result_that_someone_linked_or_protected_stays(self):
+        self.fails(self.cook(*STRICT), 4)
+        self.rejected.chmod(0o444)
+        self.ok(self.cook())
+        self.assertTrue(self.rejected.exists())
+        kept = self.path("kept.hdf")
+        self.rejected.rename(kept)
+        kept.chmod(0o644)
+        self.rejected.symlink_to(kept)
+        self.ok(self.cook())
+        self.assertTrue(self.rejected.is_symlink() and kept.exists())
+
     def test_the_place_of_a_refused_result_is_no_input_and_no_other_output(self):
         self.ok(self.cook("--keep-work"))
         self.output.rename(self.rejected)
