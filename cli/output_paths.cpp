@@ -26,8 +26,9 @@ void check_output_paths(const std::vector<OutputPath>& outputs, const std::vecto
         const auto& [option, path, is_certain] = outputs[i];
         if (is_certain) store::check_can_write(path);
         for (const std::string& input : inputs) {
-            if (is_same_file(path, input))
-                throw Error(ErrorKind::usage, option + " " + path + ": would replace an input");
+            if (!is_same_file(path, input)) continue;
+            const std::string what = is_certain ? option + " " + path : path + ", " + option;
+            throw Error(ErrorKind::usage, what + ": would replace an input");
         }
         for (std::size_t j = 0; j < i; ++j) {
             if (!is_same_file(path, outputs[j].path)) continue;

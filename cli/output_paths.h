@@ -7,7 +7,7 @@
 namespace crumple::cli {
 
 struct OutputPath {
-    std::string option;  // "--report"
+    std::string option;  // "--report"; what it is, where no option names it
     std::string path;
     bool is_certain = true;  // false: written in some cases only, so that it need not be writable now
 };

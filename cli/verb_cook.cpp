@@ -87,7 +87,7 @@ void check_paths(const CookFlags& flags, const CookRequest& request, const std::
     std::vector<OutputPath> outputs{{"-o", request.output}};
     if (is_file(flags.report)) outputs.push_back({"--report", flags.report});
     if (is_file(flags.depfile)) outputs.push_back({"--depfile", flags.depfile});
-    outputs.push_back({"what a quality gate refuses of -o", pipeline::rejected_path(request.output), false});
+    outputs.push_back({"the place of what a quality gate refuses", pipeline::rejected_path(request.output), false});
     check_output_paths(outputs, inputs);
     if (!flags.depfile.empty()) (void)depfile_text(request.output, inputs);
 }

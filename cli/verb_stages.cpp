@@ -81,9 +81,10 @@ int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& c
     const Recipe recipe = recipe_of(stage, flags);
     const std::vector<std::string> inputs = inputs_of(flags, recipe);
     pipeline::check_output_path(flags.output.path, inputs);
-    check_output_paths({{"-o", flags.output.path},
-                        {"what a quality gate refuses of -o", pipeline::rejected_path(flags.output.path), false}},
-                       inputs);
+    check_output_paths(
+        {{"-o", flags.output.path},
+         {"the place of what a quality gate refuses", pipeline::rejected_path(flags.output.path), false}},
+        inputs);
     Workspace work = load_input(stage, flags);
     const auto& params = recipe.params[pipeline::stage_index(stage.name)];
     const pipeline::StageRun run =

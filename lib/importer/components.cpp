@@ -181,8 +181,10 @@ void orient(const Surface& surface, const std::vector<HalfEdge>& half_edges, Wel
     }
     result.flipped = repaired.count;
     if (repaired.count > 0) {
-        repaired.message = counted(repaired.count, "triangle", "triangles") +
-                           " faced the other way than their neighbours and were turned";
+        repaired.message = repaired.count == 1
+                               ? "1 triangle faced the other way than its neighbours and was turned"
+                               : std::to_string(repaired.count) +
+                                     " triangles faced the other way than their neighbours and were turned";
         result.findings.push_back(repaired);
     }
     if (stuck.count > 0) {

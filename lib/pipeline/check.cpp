@@ -38,7 +38,7 @@ void measure_tets(const TetMesh& tets, FileCheck& check) {
     check.findings = quality::find_problems(tets, check.figures.shape);
 }
 
-void ask_gates(const Workspace& work, FileCheck& check) {
+void ask_gates(const Workspace& work, bool from_blob, FileCheck& check) {
     GateCheck gates = check_gates(work);
     check.figures = gates.report.figures;
     check.findings = std::move(gates.report.findings);
@@ -47,7 +47,10 @@ void ask_gates(const Workspace& work, FileCheck& check) {
     if (gates.was_asked) return;
     check.findings.push_back({"GATES_NOT_ASKED",
                               Severity::info,
-                              "it was not held against quality gates when it was cooked, so none of them fails it now",
+                              from_blob
+                                  ? "a blob carries no record of quality gates, so none fails it; check the bundle it "
+                                    "was exported from"
+                                  : "it was not held against quality gates when it was cooked, so none fails it now",
                               1,
                               {}});
 }
@@ -64,7 +67,8 @@ bool stop_at_problems(FileCheck& check) {
 FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
     FileCheck check;
     check.path = name;
-    if (!is_blob(image)) {
+    const bool from_blob = is_blob(image);
+    if (!from_blob) {
         store::CheckedFile checked = store::check_file(image, name);
         check.digest = std::move(checked.digest);
         check.problems = std::move(checked.findings);
@@ -74,7 +78,7 @@ FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
     if (work.bundle) check.problems = check_provenance(work);
     if (stop_at_problems(check)) return check;
     if (work.bundle)
-        ask_gates(work, check);
+        ask_gates(work, from_blob, check);
     else if (work.tets)
         measure_tets(*work.tets, check);
     for (const StageRecord& record : work.records) {

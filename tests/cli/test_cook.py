@@ -229,6 +229,14 @@ class Report(program.Case):
         self.assertEqual(report["inputs"][0]["sha256"], hashlib.sha256(self.shell.read_bytes()).hexdigest())
         self.assertGreater(report["stages"][0]["report"]["locked"], 0)
 
+    def test_one_triangle_that_was_turned_is_told_as_one(self):
+        lines = self.shell.read_text().splitlines()
+        word, a, b, c = lines[-1].split()
+        self.shell.write_text("\n".join(lines[:-1] + [f"{word} {a} {c} {b}"]) + "\n")
+        report = self.json_of(self.cook("--format", "json"))
+        self.assertIn("1 triangle faced the other way than its neighbours and was turned",
+                      [finding["message"] for finding in report["stages"][0]["findings"]])
+
     def test_a_failed_cook_reports_why(self):
         path = self.path("report.json")
         self.shell.write_text("v 0 0 0\nf 1 1 1\n")

@@ -190,7 +190,9 @@ class Export(program.Case):
         blob = self.path("car.blob")
         self.ok(program.run("export", self.output, "--blob", blob))
         self.assertEqual(blob.stat().st_size % 64, 0)
-        self.assertIn("ok", self.ok(program.run("check", blob)).stdout)
+        checked = self.ok(program.run("check", blob)).stdout
+        self.assertIn("ok", checked)
+        self.assertIn("a blob carries no record of quality gates", checked)
         inspected = [self.json_of(program.run("inspect", path, "--format", "json")) for path in (blob, self.output)]
         self.assertEqual(inspected[0]["bundle"], inspected[1]["bundle"])
         for name, source in (("a", self.output), ("b", blob)):

@@ -62,7 +62,8 @@ class Rejected(program.Case):
         self.ok(self.cook("--keep-work"))
         self.output.rename(self.rejected)
         before = self.rejected.read_bytes()
-        self.fails(program.run("gates", self.rejected, "-o", self.output), 1, "would replace an input")
+        self.fails(program.run("gates", self.rejected, "-o", self.output), 1,
+                   f"{self.rejected}, the place of what a quality gate refuses: would replace an input")
         self.assertEqual(self.rejected.read_bytes(), before)
         self.fails(self.cook("--report", self.rejected), 1, "name the same file")
 
