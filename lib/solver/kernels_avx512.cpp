@@ -9,6 +9,8 @@
 
 #include "solver/kernel_rotation.h"
 
+#include "solver/kernel_strain.h"
+
 #include "solver/kernel_elements.h"
 #include "solver/kernel_modes.h"
 #include "solver/kernel_nodes.h"
