@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "bench/tetgen_files.h"
 #include "core/error.h"
 #include "geometry/measures.h"
 #include "mesh/neighbours.h"
@@ -67,29 +68,6 @@ void write_geo(double size, const std::filesystem::path& path) {
     file.precision(17);
     file << "Merge \"shell.stl\";\nSurface Loop(1) = {1};\nVolume(1) = {1};\nMesh.MeshSizeMax = " << size
          << ";\nMesh.MeshSizeExtendFromBoundary = 1;\n";
-}
-
-// Nodes and elements of TetGen's files, numbered from 0 as we number ours.
-TetMesh read_tetgen(const std::filesystem::path& folder) {
-    TetMesh mesh;
-    std::ifstream nodes(folder / "shell.1.node");
-    std::size_t count = 0;
-    int ignored = 0;
-    nodes >> count >> ignored >> ignored >> ignored;
-    for (std::size_t v = 0; nodes && v < count; ++v) {
-        Vec3 p;
-        nodes >> ignored >> p.x >> p.y >> p.z;
-        mesh.positions.push_back(p);
-    }
-    std::ifstream tets(folder / "shell.1.ele");
-    count = 0;
-    tets >> count >> ignored >> ignored;
-    for (std::size_t t = 0; tets && t < count; ++t) {
-        Tet tet{};
-        tets >> ignored >> tet[0] >> tet[1] >> tet[2] >> tet[3];
-        mesh.tets.push_back(tet);
-    }
-    return mesh;
 }
 
 // The tets of a gmsh file, format 2.2.
@@ -192,7 +170,7 @@ std::optional<PeerMesh> run_peer(const std::string& peer, const RawShell& shell,
     if (status != 0) return std::nullopt;
     PeerMesh result;
     result.cpu_s = child_cpu_seconds() - before;
-    result.mesh = peer == "tetgen" ? read_tetgen(folder) : read_msh(folder / "out.msh");
+    result.mesh = peer == "tetgen" ? read_tetgen(folder, "shell", 0) : read_msh(folder / "out.msh");
     if (!make_usable(result.mesh)) return std::nullopt;
     return result;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bake/bake.h"
+#include "bench/tetgen_files.h"
 #include "mesh/boundary.h"
 #include "mesh/neighbours.h"
 #include "solver/body.h"
@@ -26,29 +27,12 @@ bool is_positive(const TetMesh& mesh, const Tet& tet) {
     return dot(edge(1), cross(edge(2), edge(3))) > 0;
 }
 
-// Nodes and elements of TetGen's files, numbered from 1.
-TetMesh read_tetgen(const std::filesystem::path& folder) {
-    TetMesh mesh;
-    std::ifstream nodes(folder / "bar.1.node");
-    std::size_t count = 0;
-    int ignored = 0;
-    nodes >> count >> ignored >> ignored >> ignored;
-    for (std::size_t v = 0; nodes && v < count; ++v) {
-        Vec3 p;
-        nodes >> ignored >> p.x >> p.y >> p.z;
-        mesh.positions.push_back(round_to_float(p));
-    }
-    std::ifstream tets(folder / "bar.1.ele");
-    count = 0;
-    tets >> count >> ignored >> ignored;
-    for (std::size_t t = 0; tets && t < count; ++t) {
-        Tet tet{};
-        tets >> ignored >> tet[0] >> tet[1] >> tet[2] >> tet[3];
-        for (Index& node : tet) --node;
+// Places that float can hold, and every tet positive.
+void make_usable(TetMesh& mesh) {
+    for (Vec3& p : mesh.positions) p = round_to_float(p);
+    for (Tet& tet : mesh.tets) {
         if (!is_positive(mesh, tet)) std::swap(tet[2], tet[3]);
-        mesh.tets.push_back(tet);
     }
-    return mesh;
 }
 
 std::optional<TetMesh> run_tetgen(const std::string& switches) {
@@ -57,7 +41,8 @@ std::optional<TetMesh> run_tetgen(const std::string& switches) {
     std::ofstream(folder / "bar.poly") << bar_poly;
     const std::string command = "cd '" + folder.string() + "' && tetgen -" + switches + " bar.poly >/dev/null 2>&1";
     const bool is_run = std::system(command.c_str()) == 0;
-    TetMesh mesh = is_run ? read_tetgen(folder) : TetMesh{};
+    TetMesh mesh = is_run ? read_tetgen(folder, "bar", 1) : TetMesh{};
+    make_usable(mesh);
     std::filesystem::remove_all(folder);
     if (mesh.tets.empty()) return std::nullopt;
     return mesh;
