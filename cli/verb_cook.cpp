@@ -15,6 +15,7 @@
 #include "core/counted.h"
 #include "pipeline/builtin_recipes.h"
 #include "pipeline/cook.h"
+#include "pipeline/output_file.h"
 #include "pipeline/shared_text.h"
 #include "report/json_reader.h"
 #include "report/json_writer.h"

@@ -9,6 +9,7 @@
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/verbs.h"
+#include "pipeline/output_file.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
 #include "report/printable.h"

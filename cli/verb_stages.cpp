@@ -11,6 +11,7 @@
 #include "cli/verbs.h"
 #include "pipeline/builtin_recipes.h"
 #include "pipeline/input_digests.h"
+#include "pipeline/output_file.h"
 #include "pipeline/points_file.h"
 #include "pipeline/runner.h"
 #include "pipeline/work_file.h"

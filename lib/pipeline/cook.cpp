@@ -6,6 +6,7 @@
 
 #include "pipeline/compare.h"
 #include "pipeline/input_digests.h"
+#include "pipeline/output_file.h"
 #include "pipeline/version.h"
 #include "store/sha256.h"
 
