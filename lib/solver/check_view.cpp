@@ -13,6 +13,7 @@ const char* size_problem(const BundleView& v) {
     if (node_count == 0 || tet_count == 0) return "the bundle has no tets to simulate";
     // 16 tet + corners and 4 tet + corner must fit an index.
     if (tet_count >= none / 16 || node_count >= none / 16) return "more tets or nodes than the solver can number";
+    if (v.column.size() >= none / slice_rows) return "more blocks than the solver can number";
     if (v.mass.size() != node_count || v.locked.size() != node_count || v.diagonal.size() != node_count ||
         v.row_start.size() != node_count + 1) {
         return "arrays over nodes differ in length";

@@ -33,12 +33,9 @@ bool is_usable(const Constraint& c, std::size_t node_count) {
     return c.kind == ConstraintKind::fixed || directions_of(c).taken_count > 0;
 }
 
-Mat3 block_matrix(const float* block) {
-    Mat3 a;
-    for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) a(r, c) = block[3 * c + r];
-    }
-    return a;
+Mat3 diagonal_block(const Model& model, const Workspace& w, Index node) {
+    const std::size_t lane = model.slices.lane[node];
+    return block_at(w.blocks, slice_rows * model.slices.start[lane / slice_rows] + lane % slice_rows);
 }
 
 // (S A S + (I - S))^-1 - (I - S): the inverse of A on the free directions, 0 on the taken ones. The taken directions
@@ -71,10 +68,10 @@ Vec3f taken_part(const Partial& p, Vec3f v) {
 
 Vec3f unbalanced(const Model& model, const Workspace& w, Index node) {
     Vec3f sum = -Vec3f{w.load[4 * node], w.load[4 * node + 1], w.load[4 * node + 2]};
-    for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
-        const float* dv = &w.change[4 * static_cast<std::size_t>(model.bundle.column[k])];
-        sum += block_matrix(&w.blocks[9 * static_cast<std::size_t>(k)]) * Vec3f{dv[0], dv[1], dv[2]};
-    }
+    for_row(model.slices, node, [&](Index column, std::size_t number) {
+        const float* dv = &w.change[4 * static_cast<std::size_t>(column)];
+        sum += block_at(w.blocks, number) * Vec3f{dv[0], dv[1], dv[2]};
+    });
     return sum;
 }
 
@@ -135,7 +132,7 @@ void constrain_inverse(const Model& model, Workspace& w, std::size_t partial_cou
 }
 
 void constrain_inverse(const Model& model, Workspace& w, const Partial& partial) {
-    const Mat3 a = block_matrix(&w.blocks[9 * static_cast<std::size_t>(model.bundle.diagonal[partial.node])]);
+    const Mat3 a = diagonal_block(model, w, partial.node);
     write_inverse(free_inverse(partial, a), &w.inverse[inverse_at(partial.node)]);
 }
 

@@ -60,10 +60,15 @@ constexpr std::span<const EnumName<Plasticity>> enum_names(Plasticity) { return 
 
 // A material's plastic flow during one step.
 struct StepMaterial {
-    float flow = 0;  // 1 - exp(-creep dt): part of the excess that flows
+    float flow = 0;  // flowing_part()
     float hardening_pa = 0;
     float max_plastic_strain = 0;
 };
+
+// The part of the strain beyond yield that flows in a step: implicit Euler's. Where strain goes on at a steady rate,
+// rate / creep of it is left whatever dt, and that is the stress that carries a crash. The exponential decay of a
+// strain that is held would leave less the longer the step: half as much again was dented at 240 steps a second.
+constexpr double flowing_part(double creep_per_s, double dt) { return creep_per_s * dt / (1 + creep_per_s * dt); }
 
 struct ElementSettings {
     float dt = 0;

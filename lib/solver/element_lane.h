@@ -16,4 +16,9 @@ void rotate_lane(RotationFunction function, const float (*f)[packet_size], float
 void flow_lane(const ElementJob& job, const TetPacket& packet, TetState& state, TetShape& shape, int lane,
                const float (*f)[packet_size], int l);
 
+// What multiplicative flow would leave of the deviatoric stress of a tet strained by lane l of xx yy zz xy xz yz, as a
+// part of it.
+[[nodiscard]] float left_of_lane(const ElementJob& job, const TetPacket& packet, const TetState& state,
+                                 const TetShape& shape, int lane, const float (*strain)[packet_size], int l);
+
 }

@@ -226,7 +226,7 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
 
     const std::size_t first = 16 * (packet_size * p + static_cast<std::size_t>(lane));
     unsigned softened = 0;
-    const Moduli moduli = secant(job, packet, state, lane, e, is_bad, softened);
+    const Moduli moduli = secant(job, packet, state, shape, lane, e, is_bad, softened);
     write_gradients(packet, moduli, lane, job.settings.dt, r, g, job.gradients + first);
     write_forces(moduli, job.settings.dt, r, g, e, job.forces + first);
     const Mask is_real = Lanes::load(packet.stiffness + lane) > Lanes::all(0);  // not padding

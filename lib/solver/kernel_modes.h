@@ -5,36 +5,30 @@
 
 namespace crumple::solver::CRUMPLE_LANES {
 
-// Moments of the blocks of a row: sums of A, A x, A y, A z.
-inline void row_moments(const ModeJob& job, std::size_t row, float (&sum)[4][9]) {
-    BlockSum plain, by_x, by_y, by_z;
-    for (std::size_t k = job.row_start[row]; k < job.row_start[row + 1]; ++k) {
-        const float* block = job.blocks + 9 * k;
-        const float* x = job.positions + 4 * static_cast<std::size_t>(job.column[k]);
-        plain.add(block);
-        by_x.add(block, x[0]);
-        by_y.add(block, x[1]);
-        by_z.add(block, x[2]);
-    }
-    plain.store(sum[0]);
-    by_x.store(sum[1]);
-    by_y.store(sum[2]);
-    by_z.store(sum[3]);
-}
-
-// A Z of bodies without constraints: Z is [I, -[x]], columns of blocks are contiguous.
+// A Z of bodies without constraints, Z = [I, -[x]].
 inline void multiply_modes(const ModeJob& job, std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-        float sum[4][9] = {};
-        row_moments(job, row, sum);
-        float* out = job.rows + mode_floats * row;
+    const Eight zero = Eight::all(0);
+    for (std::size_t slice = begin / slice_rows; slice * slice_rows < end; ++slice) {
+        Eight moved[9], turned[9];
+        for (std::size_t i = 0; i < 9; ++i) moved[i] = turned[i] = zero;
+        for (std::size_t group = job.start[slice]; group < job.start[slice + 1]; ++group) {
+            Eight x, y, z, b[9];
+            gather3(job.positions, job.column + slice_rows * group, x, y, z);
+            for (std::size_t i = 0; i < 9; ++i) {
+                b[i] = Eight::load(job.blocks + group_floats * group + slice_rows * i);
+                moved[i] = moved[i] + b[i];
+            }
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                turned[axis] = fma(y, b[6 + axis], fnma(z, b[3 + axis], turned[axis]));
+                turned[3 + axis] = fma(z, b[axis], fnma(x, b[6 + axis], turned[3 + axis]));
+                turned[6 + axis] = fma(x, b[3 + axis], fnma(y, b[axis], turned[6 + axis]));
+            }
+        }
+        const Index* const node = job.node + slice_rows * slice;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            float* lanes = out + 8 * axis;
-            for (std::size_t c = 0; c < 3; ++c) lanes[c] = sum[0][3 * c + axis];
-            lanes[3] = sum[2][6 + axis] - sum[3][3 + axis];  // y c2 - z c1
-            lanes[4] = sum[3][axis] - sum[1][6 + axis];      // z c0 - x c2
-            lanes[5] = sum[1][3 + axis] - sum[2][axis];      // x c1 - y c0
-            lanes[6] = lanes[7] = 0;
+            const auto row = [&](std::size_t l) { return job.rows + mode_floats * node[l] + 8 * axis; };
+            scatter4(row, moved[axis], moved[3 + axis], moved[6 + axis], turned[axis]);
+            scatter4([&](std::size_t l) { return row(l) + 4; }, turned[3 + axis], turned[6 + axis], zero, zero);
         }
     }
 }

@@ -49,11 +49,11 @@ inline constexpr float least_secant = 1e-3f;
 
 // What additive flow does to plastic strain and yield.
 struct AdditiveFlow {
-    Strain plastic;   // eps_p + c (1 - y / |d|) d, |eps_p| <= max
+    Strain plastic;   // eps_p + c (1 - y / |d|) d, |eps_p| <= max, c = flowing_part()
     Lanes hardening;  // rise of the yield strain
 };
 
-// [Mueller, Gross 2004, with the exact exponential in place of dt creep.] Of the lanes that yield.
+// [Mueller, Gross 2004, with flowing_part() in place of dt creep.] Of the lanes that yield.
 inline AdditiveFlow flowed(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane,
                            const Strain& d, Lanes size, Mask yields) {
     float fraction_row[16] = {}, hardening_row[16] = {}, limit_row[16] = {};
@@ -101,29 +101,47 @@ inline void flow_additive(const ElementJob& job, const TetPacket& packet, TetSta
     now.hardening.store(state.hardening + lane);
 }
 
-// A tet that will yield in this step pushes back with what is left after the flow, its damping included: by the secant
-// to the strain it is heading for, which keeps the step linear and its matrix positive definite [Kachanov's iteration,
-// once: Ladyzhenskaya; Zeidler 1990, vol. II/B, section 25.14]. Volume keeps its stiffness. Without it the stress of a
-// step grows with the strain of a step, and dents with the rate of steps.
-inline Moduli secant(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane,
-                     const Strain& ahead, Mask is_bad, unsigned& softened) {
-    const Moduli whole{Lanes::load(packet.stiffness + lane), Lanes::load(packet.ratio + lane)};
-    softened = 0;
-    if (job.settings.plasticity != Plasticity::additive) return whole;
-    const Strain d = deviator(ahead);
-    const Lanes size = root(squared(d));
-    const Mask yields = yielding(packet, state, lane, size, is_bad);
-    softened = bits(yields);
-    if (softened == 0) return whole;
+// What flow leaves of the deviatoric stress, as a part of it.
+inline Lanes left_by_additive(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane,
+                              const Strain& d, Lanes size, Mask yields) {
     const AdditiveFlow then = flowed(job, packet, state, lane, d, size, yields);
     Lanes gone = Lanes::all(0);  // (eps_p afterwards - before) : d
     for (int i = 0; i < 6; ++i) {
         const Lanes part = (then.plastic.e[i] - Lanes::load(state.plastic[i] + lane)) * d.e[i];
         gone = gone + (i < 3 ? part : part + part);
     }
+    return Lanes::all(1) - gone / (size * size);
+}
+
+inline Lanes left_by_multiplicative(const ElementJob& job, const TetPacket& packet, const TetState& state,
+                                    const TetShape& shape, int lane, const Strain& ahead, unsigned yields) {
+    float rows[6][16] = {};
+    float left[16] = {};
+    for (int i = 0; i < 6; ++i) ahead.e[i].store(rows[i]);
+    for (int l = 0; l < Lanes::width; ++l) {
+        if (yields >> l & 1u) left[l] = left_of_lane(job, packet, state, shape, lane + l, rows, l);
+    }
+    return Lanes::load(left);
+}
+
+// A tet that will yield in this step pushes back with what is left after the flow, its damping included: by the secant
+// to the strain it is heading for, which keeps the step linear and its matrix positive definite [Kachanov's iteration,
+// once: Ladyzhenskaya; Zeidler 1990, vol. II/B, section 25.14]. Volume keeps its stiffness. Without it the stress of a
+// step grows with the strain of a step, and dents with the rate of steps.
+inline Moduli secant(const ElementJob& job, const TetPacket& packet, const TetState& state, const TetShape* shape,
+                     int lane, const Strain& ahead, Mask is_bad, unsigned& softened) {
+    const Moduli whole{Lanes::load(packet.stiffness + lane), Lanes::load(packet.ratio + lane)};
+    softened = 0;
+    if (job.settings.plasticity == Plasticity::off) return whole;
+    const Strain d = deviator(ahead);
+    const Lanes size = root(squared(d));
+    const Mask yields = yielding(packet, state, lane, size, is_bad);
+    softened = bits(yields);
+    if (softened == 0) return whole;
+    const Lanes left = shape ? left_by_multiplicative(job, packet, state, *shape, lane, ahead, softened)
+                             : left_by_additive(job, packet, state, lane, d, size, yields);
     const Lanes one = Lanes::all(1);
-    const Lanes left = max(Lanes::all(least_secant), one - gone / (size * size));
-    const Lanes s = select(yields, left, one);
+    const Lanes s = select(yields, max(Lanes::all(least_secant), left), one);
     return {whole.stiffness * s, fma(Lanes::all(2.0f / 3), one - s, whole.ratio) / s};
 }
 

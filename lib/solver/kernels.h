@@ -9,6 +9,7 @@
 #include "core/fields.h"
 #include "core/index.h"
 #include "solver/element_data.h"
+#include "solver/slices.h"
 
 namespace crumple::solver {
 
@@ -45,21 +46,24 @@ struct LoadJob {
     float* load;           // N x 4
 };
 
-// Off-diagonal blocks. Over edges.
+// Off-diagonal blocks, nine floats each, those of a group one after the other.
+// Over edges.
 struct EdgeJob {
     const Index* edge_start;
-    const Index* incidence;   // 16 tet + 4 corner of i + corner of j
-    const Index* edge_slots;  // 2 per edge: block of (i, j) and of (j, i)
+    const Index* incidence;    // 16 tet + 4 corner of i + corner of j
+    const Index* edge_blocks;  // 2 per edge: block of (i, j) and of (j, i)
     const float* gradients;
     float* blocks;
     float ratio;  // lambda / mu where it is the same everywhere
     bool is_uniform;
 };
 
-// Diagonal blocks and their inverses. Over nodes.
+// Diagonal blocks and their inverses; blocks from how edges leave them to how
+// Slices has them. Over nodes.
 struct RowJob {
-    const Index* row_start;
-    const Index* diagonal;
+    const Index* node;  // see Slices
+    const Index* start;
+    const Index* column;
     const float* damped_mass;  // N: (1 + alpha dt) m
     float* blocks;
     float* inverse;  // columns of the inverse diagonal blocks: 4 nodes x 3 columns x 4, see inverse_at()
@@ -67,7 +71,8 @@ struct RowJob {
 
 // Conjugate gradients for A dv = load.
 struct SolveJob {
-    const Index* row_start;
+    const Index* node;  // see Slices
+    const Index* start;
     const Index* column;
     const std::uint8_t* is_fixed;  // N: the row has no freedom
     const float* blocks;
@@ -82,7 +87,8 @@ struct SolveJob {
 // The rigid motions of the whole, see rigid_modes.h. Over nodes.
 inline constexpr std::size_t mode_floats = 24;  // three axes of six columns and two zeros
 struct ModeJob {
-    const Index* row_start;
+    const Index* node;  // see Slices
+    const Index* start;
     const Index* column;
     const float* blocks;
     const float* positions;

@@ -12,6 +12,7 @@
 #include "solver/kernel_strain.h"
 
 #include "solver/kernel_elements.h"
+#include "solver/kernel_matrix.h"
 #include "solver/kernel_modes.h"
 #include "solver/kernel_nodes.h"
 #include "solver/kernel_skin.h"

@@ -6,39 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/row_sum_avx.h"
+#include "solver/eight_avx.h"
 
 namespace crumple::solver::avx2 {
 
-struct Mask {
-    __m256 m;
-    friend Mask operator&(Mask a, Mask b) { return {_mm256_and_ps(a.m, b.m)}; }
-    friend Mask operator|(Mask a, Mask b) { return {_mm256_or_ps(a.m, b.m)}; }
-    friend Mask operator!(Mask a) { return {_mm256_xor_ps(a.m, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))}; }
-};
+using Mask = EightMask;
+using Lanes = Eight;
 
-struct Lanes {
-    __m256 v;
-    static constexpr int width = 8;
-    static Lanes load(const float* p) { return {_mm256_loadu_ps(p)}; }
-    static Lanes all(float x) { return {_mm256_set1_ps(x)}; }
-    void store(float* p) const { _mm256_storeu_ps(p, v); }
-    friend Lanes operator+(Lanes a, Lanes b) { return {_mm256_add_ps(a.v, b.v)}; }
-    friend Lanes operator-(Lanes a, Lanes b) { return {_mm256_sub_ps(a.v, b.v)}; }
-    friend Lanes operator*(Lanes a, Lanes b) { return {_mm256_mul_ps(a.v, b.v)}; }
-    friend Lanes operator/(Lanes a, Lanes b) { return {_mm256_div_ps(a.v, b.v)}; }
-    friend Mask operator>(Lanes a, Lanes b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
-    friend Mask operator<=(Lanes a, Lanes b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
-};
-
-inline Lanes fma(Lanes a, Lanes b, Lanes c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
-inline Lanes fnma(Lanes a, Lanes b, Lanes c) { return {_mm256_fnmadd_ps(a.v, b.v, c.v)}; }
 inline Lanes root(Lanes a) { return {_mm256_sqrt_ps(a.v)}; }
 inline Lanes max(Lanes a, Lanes b) { return {_mm256_max_ps(a.v, b.v)}; }
 inline Lanes min(Lanes a, Lanes b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Lanes abs(Lanes a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
-inline Lanes select(Mask m, Lanes a, Lanes b) { return {_mm256_blendv_ps(b.v, a.v, m.m)}; }
-inline unsigned bits(Mask m) { return static_cast<unsigned>(_mm256_movemask_ps(m.m)); }
 inline Mask mask_of(unsigned b) {
     const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(b)), bit);
@@ -54,41 +32,8 @@ inline unsigned nonzero_bytes(const std::uint8_t* bytes) {
     return ~static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(eight, _mm_setzero_si128()))) & 0xffu;
 }
 
-// Four registers hold, in their two 128-bit parts, (x y z w) of lanes 0 4, 1 5, ...: turn rows into columns.
-inline void transpose4(__m256& a, __m256& b, __m256& c, __m256& d) {
-    const __m256d ab_low = _mm256_castps_pd(_mm256_unpacklo_ps(a, b));
-    const __m256d ab_high = _mm256_castps_pd(_mm256_unpackhi_ps(a, b));
-    const __m256d cd_low = _mm256_castps_pd(_mm256_unpacklo_ps(c, d));
-    const __m256d cd_high = _mm256_castps_pd(_mm256_unpackhi_ps(c, d));
-    a = _mm256_castpd_ps(_mm256_unpacklo_pd(ab_low, cd_low));
-    b = _mm256_castpd_ps(_mm256_unpackhi_pd(ab_low, cd_low));
-    c = _mm256_castpd_ps(_mm256_unpacklo_pd(ab_high, cd_high));
-    d = _mm256_castpd_ps(_mm256_unpackhi_pd(ab_high, cd_high));
-}
-
-inline __m256 load_parts(const float* base, const unsigned* index) {
-    const auto at = [&](int i) { return _mm_load_ps(base + 4 * static_cast<std::size_t>(index[i])); };
-    return _mm256_insertf128_ps(_mm256_castps128_ps256(at(0)), at(4), 1);
-}
-
-inline void gather3(const float* base, const unsigned* index, Lanes& x, Lanes& y, Lanes& z) {
-    __m256 a = load_parts(base, index);
-    __m256 b = load_parts(base, index + 1);
-    __m256 c = load_parts(base, index + 2);
-    __m256 d = load_parts(base, index + 3);
-    transpose4(a, b, c, d);
-    x.v = a;
-    y.v = b;
-    z.v = c;
-}
-
 inline void scatter4(float* out, std::size_t stride, Lanes x, Lanes y, Lanes z, Lanes w) {
-    __m256 part[4] = {x.v, y.v, z.v, w.v};
-    transpose4(part[0], part[1], part[2], part[3]);
-    for (std::size_t i = 0; i < 4; ++i) {
-        _mm_store_ps(out + stride * i, _mm256_castps256_ps128(part[i]));
-        _mm_store_ps(out + stride * (i + 4), _mm256_extractf128_ps(part[i], 1));
-    }
+    scatter4([&](std::size_t l) { return out + stride * l; }, x, y, z, w);
 }
 
 struct Quads {
@@ -111,23 +56,6 @@ inline float sum(Quads a) {
     const __m128 pair = _mm_add_ps(quad, _mm_movehl_ps(quad, quad));
     return _mm_cvtss_f32(_mm_add_ss(pair, _mm_movehdup_ps(pair)));
 }
-
-struct BlockSum {
-    __m256 v = _mm256_setzero_ps();
-    float last = 0;
-    void add(const float* block) {
-        v = _mm256_add_ps(v, _mm256_loadu_ps(block));
-        last += block[8];
-    }
-    void add(const float* block, float times) {
-        v = _mm256_add_ps(v, _mm256_mul_ps(_mm256_loadu_ps(block), _mm256_set1_ps(times)));
-        last += block[8] * times;
-    }
-    void store(float* block) const {
-        _mm256_storeu_ps(block, v);
-        block[8] = last;
-    }
-};
 
 // Columns 0 and 1 share a register, column 2 has its own.
 struct OuterSum {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/row_sum_avx.h"
+#include "solver/eight_avx.h"
 
 namespace crumple::solver::avx512 {
 
@@ -116,15 +116,6 @@ inline float sum(Quads a) {
 }
 
 inline constexpr __mmask16 nine = 0x1ff;
-
-struct BlockSum {
-    __m512 v = _mm512_setzero_ps();
-    void add(const float* block) { v = _mm512_add_ps(v, _mm512_maskz_loadu_ps(nine, block)); }
-    void add(const float* block, float times) {
-        v = _mm512_add_ps(v, _mm512_mul_ps(_mm512_maskz_loadu_ps(nine, block), _mm512_set1_ps(times)));
-    }
-    void store(float* block) const { _mm512_mask_storeu_ps(block, nine, v); }
-};
 
 // Lane 4 c + r of the sums is element (r, c).
 struct OuterSum {

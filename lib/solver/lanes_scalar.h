@@ -84,37 +84,86 @@ Quads spread(Quads a) {
 }
 inline float sum(Quads a) { return (a.v[0] + a.v[1]) + (a.v[2] + a.v[3]); }
 
-// A sum of 3 x 3 blocks (column-major, 9 floats) times vectors of 4 floats.
-struct RowSum {
-    float v[9] = {};
-    void add(const float* block, const float* x) {
-        for (int c = 0; c < 3; ++c) {
-            for (int r = 0; r < 3; ++r) v[3 * c + r] += block[3 * c + r] * x[c];
-        }
+struct EightMask {
+    bool m[8];
+};
+
+// One float of each row of a slice of the matrix.
+struct Eight {
+    float v[8];
+    static constexpr int width = 8;
+    static Eight load(const float* p) {
+        Eight a;
+        for (std::size_t l = 0; l < 8; ++l) a.v[l] = p[l];
+        return a;
     }
-    void add_pair(const float* blocks, const float* x, const float* next_x) {
-        add(blocks, x);
-        add(blocks + 9, next_x);
+    static Eight all(float x) { return {{x, x, x, x, x, x, x, x}}; }
+    void store(float* p) const {
+        for (std::size_t l = 0; l < 8; ++l) p[l] = v[l];
     }
-    void store(float* y) const {
-        for (int r = 0; r < 3; ++r) y[r] = (v[r] + v[3 + r]) + v[6 + r];
-        y[3] = 0;
+    friend Eight operator+(Eight a, const Eight& b) {
+        for (std::size_t l = 0; l < 8; ++l) a.v[l] += b.v[l];
+        return a;
+    }
+    friend Eight operator-(Eight a, const Eight& b) {
+        for (std::size_t l = 0; l < 8; ++l) a.v[l] -= b.v[l];
+        return a;
+    }
+    friend Eight operator*(Eight a, const Eight& b) {
+        for (std::size_t l = 0; l < 8; ++l) a.v[l] *= b.v[l];
+        return a;
+    }
+    friend Eight operator/(Eight a, const Eight& b) {
+        for (std::size_t l = 0; l < 8; ++l) a.v[l] /= b.v[l];
+        return a;
+    }
+    friend EightMask operator>(const Eight& a, const Eight& b) {
+        EightMask mask;
+        for (std::size_t l = 0; l < 8; ++l) mask.m[l] = a.v[l] > b.v[l];
+        return mask;
     }
 };
 
-// A sum of 3 x 3 blocks.
-struct BlockSum {
-    float v[9] = {};
-    void add(const float* block) {
-        for (int i = 0; i < 9; ++i) v[i] += block[i];
+inline Eight fma(const Eight& a, const Eight& b, const Eight& c) { return a * b + c; }
+inline Eight fnma(const Eight& a, const Eight& b, const Eight& c) { return c - a * b; }
+inline Eight select(const EightMask& mask, Eight a, const Eight& b) {
+    for (std::size_t l = 0; l < 8; ++l) a.v[l] = mask.m[l] ? a.v[l] : b.v[l];
+    return a;
+}
+inline unsigned bits(const EightMask& mask) {
+    unsigned all = 0;
+    for (std::size_t l = 0; l < 8; ++l) all |= (mask.m[l] ? 1u : 0u) << l;
+    return all;
+}
+
+inline void gather3(const float* base, const unsigned* index, Eight& x, Eight& y, Eight& z) {
+    for (std::size_t l = 0; l < 8; ++l) {
+        const float* p = base + 4 * static_cast<std::size_t>(index[l]);
+        x.v[l] = p[0];
+        y.v[l] = p[1];
+        z.v[l] = p[2];
     }
-    void add(const float* block, float times) {
-        for (int i = 0; i < 9; ++i) v[i] += block[i] * times;
+}
+
+// Lane l of (x, y, z, w) to the four floats at place(l), a boundary of 16
+// bytes.
+template <class Place>
+void scatter4(const Place& place, const Eight& x, const Eight& y, const Eight& z, const Eight& w) {
+    for (std::size_t l = 0; l < 8; ++l) {
+        float* out = place(l);
+        out[0] = x.v[l];
+        out[1] = y.v[l];
+        out[2] = z.v[l];
+        out[3] = w.v[l];
     }
-    void store(float* block) const {
-        for (int i = 0; i < 9; ++i) block[i] = v[i];
+}
+
+// Eight blocks of nine floats, one after the other.
+inline void gather_blocks(const float* group, Eight (&element)[9]) {
+    for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t l = 0; l < 8; ++l) element[i].v[l] = group[9 * l + i];
     }
-};
+}
 
 // S = sum a b^T over vectors of 4 floats whose fourth is the ratio lambda / mu, and T = sum ratio a b^T.
 struct OuterSum {

@@ -34,7 +34,7 @@ double strain_energy(const TetPacket& packet, const TetState& state, std::size_t
 double flow_of(const Model& model, const State& state, std::size_t t) {
     if (!state.shapes.empty()) return 0;
     const ModelMaterial& m = model.materials[model.bundle.material[t]];
-    return 1 - std::exp(-static_cast<double>(m.creep_per_s) * static_cast<double>(state.header->last_dt));
+    return flowing_part(m.creep_per_s, state.header->last_dt);
 }
 
 constexpr float degenerate = 0.1f;  // of det F: such tets do not flow

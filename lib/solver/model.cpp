@@ -11,6 +11,7 @@ namespace {
 
 struct Derived {
     std::span<TetPacket> packets;
+    SliceArrays slices;
     std::span<Index> incidence;
     std::span<Index> node_start;
     std::span<Index> node_corner;
@@ -27,7 +28,13 @@ std::size_t count_locked(const BundleView& view) {
 Derived take_arrays(const BundleView& view, Arena& arena) {
     const std::size_t tet_count = view.tets.size();
     const std::size_t node_count = view.rest_positions.size();
+    const SliceCounts slices = count_slices(view);
     Derived d;
+    d.slices.lane = arena.take<Index>(node_count);
+    d.slices.node = arena.take<Index>(slice_rows * slices.slices);
+    d.slices.start = arena.take<Index>(slices.slices + 1);
+    d.slices.column = arena.take<Index>(slice_rows * slices.groups);
+    d.slices.edge_block = arena.take<std::array<Index, 2>>(view.edges.size());
     d.packets = arena.take<TetPacket>((tet_count + packet_size - 1) / packet_size);
     d.incidence = arena.take<Index>(6 * tet_count);
     d.node_start = arena.take<Index>(node_count + 1);
@@ -177,6 +184,7 @@ std::size_t model_bytes(const BundleView& view) {
 Model build_model(const BundleView& view, std::span<std::byte> memory) {
     Arena arena(memory);
     const Derived d = take_arrays(view, arena);
+    fill_slices(view, d.slices);
     fill_packets(view, d.packets);
     for (std::size_t k = 0; k < d.incidence.size(); ++k) {
         d.incidence[k] = 16 * view.edge_tet[k] + 4u * view.edge_corners[k][0] + view.edge_corners[k][1];
@@ -194,6 +202,9 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
     model.tet_count = view.tets.size();
     model.edge_count = view.edges.size();
     model.block_count = view.column.size();
+    model.group_count = d.slices.column.size() / slice_rows;
+    model.slices = {d.slices.lane, d.slices.node, d.slices.start, d.slices.column};
+    model.edge_block = d.slices.edge_block;
     model.bundle = view;
     model.ratio = d.packets[0].ratio[0];
     model.is_uniform = std::all_of(d.packets.begin(), d.packets.end(), [&](const TetPacket& packet) {

@@ -9,6 +9,7 @@
 #include "bundle/bundle.h"
 #include "solver/element_data.h"
 #include "solver/rigid_motion.h"
+#include "solver/slices.h"
 
 namespace crumple::solver {
 
@@ -51,17 +52,20 @@ struct Model {
     std::size_t tet_count = 0;
     std::size_t edge_count = 0;
     std::size_t block_count = 0;
+    std::size_t group_count = 0;  // of eight blocks, see Slices
     BundleView bundle;
     bool is_uniform = true;  // lambda / mu is `ratio` everywhere
     float ratio = 0;
     double stiffness_volume = 0;  // sum of (lambda + 2 mu) V, J
     PointMasses rest_mass;        // of all nodes at rest
     std::span<const TetPacket> packets;
-    std::span<const Index> incidence;     // 6 S: 16 tet + 4 corner of i + corner of j, by edge_start
-    std::span<const Index> node_start;    // N + 1
-    std::span<const Index> node_corner;   // 4 S: 4 tet + corner, by node_start
-    std::span<const float> alpha_mass;    // N: mass-weighted Rayleigh damping, kg/s
-    std::span<const Index> locked_nodes;  // ascending
+    Slices slices;
+    std::span<const std::array<Index, 2>> edge_block;  // E: numbers of the blocks of (i, j) and (j, i)
+    std::span<const Index> incidence;                  // 6 S: 16 tet + 4 corner of i + corner of j, by edge_start
+    std::span<const Index> node_start;                 // N + 1
+    std::span<const Index> node_corner;                // 4 S: 4 tet + corner, by node_start
+    std::span<const float> alpha_mass;                 // N: mass-weighted Rayleigh damping, kg/s
+    std::span<const Index> locked_nodes;               // ascending
     std::span<const ModelMaterial> materials;
 };
 

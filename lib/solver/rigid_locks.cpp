@@ -9,21 +9,19 @@
 namespace crumple::solver {
 namespace {
 
-Mat3d wide_block(const Workspace& w, Index k) {
+Mat3d wide_block(const Workspace& w, std::size_t number) {
+    const Mat3 block = block_at(w.blocks, number);
     Mat3d a;
-    for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) a(r, c) = w.blocks[9 * std::size_t{k} + static_cast<std::size_t>(3 * c + r)];
-    }
+    std::copy(block.m.begin(), block.m.end(), a.m.begin());
     return a;
 }
 
 // The part of a carried node's row of A that belongs to nodes that are not carried.
 RowMotion free_part_of(const Model& model, const Workspace& w, Index node) {
     RowMotion row;
-    for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
-        const Index other = model.bundle.column[k];
-        if (!is_carried(model, w, other)) row.add(wide_block(w, k), widen(model.bundle.rest_positions[other]));
-    }
+    for_row(model.slices, node, [&](Index other, std::size_t number) {
+        if (!is_carried(model, w, other)) row.add(wide_block(w, number), widen(model.bundle.rest_positions[other]));
+    });
     return row;
 }
 

@@ -10,13 +10,8 @@ namespace crumple::solver {
 namespace {
 
 ModeJob mode_job(const Model& model, const State& state, Workspace& w) {
-    return {model.bundle.row_start.data(),
-            model.bundle.column.data(),
-            w.blocks.data(),
-            state.positions.data(),
-            w.mode_rows.data(),
-            w.precise.data(),
-            w.direction.data()};
+    return {model.slices.node.data(), model.slices.start.data(), model.slices.column.data(), w.blocks.data(),
+            state.positions.data(),   w.mode_rows.data(),        w.precise.data(),           w.direction.data()};
 }
 
 // Columns of [I, -[x]].
@@ -31,17 +26,15 @@ Columns columns_at(Vec3f x) {
 void add_taken(const Model& model, const State& state, Workspace& w, const Partial& p, float s) {
     Columns taken = columns_at(position(state, p.node));
     for (Vec3f& column : taken.z) column = taken_part(p, column) * s;
-    for (Index k = model.bundle.row_start[p.node]; k < model.bundle.row_start[p.node + 1]; ++k) {
-        float* row = &w.mode_rows[mode_floats * static_cast<std::size_t>(model.bundle.column[k])];
+    for_row(model.slices, p.node, [&](Index column, std::size_t number) {
+        float* row = &w.mode_rows[mode_floats * std::size_t{column}];
         // The block of the other row is the transpose.
-        const float* b = &w.blocks[9 * std::size_t{k}];
+        const Mat3 block = transpose(block_at(w.blocks, number));
         for (std::size_t m = 0; m < 6; ++m) {
-            const Vec3f z = taken.z[m];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                row[8 * axis + m] += b[3 * axis] * z.x + b[3 * axis + 1] * z.y + b[3 * axis + 2] * z.z;
-            }
+            const Vec3f answer = block * taken.z[m];
+            for (std::size_t axis = 0; axis < 3; ++axis) row[8 * axis + m] += answer[static_cast<int>(axis)];
         }
-    }
+    });
 }
 
 // sums += Z^T (row of A Z), eight lanes a mode

@@ -201,16 +201,10 @@ private:
 }
 
 SolveJob solve_job(const Model& model, Workspace& w) {
-    return {model.bundle.row_start.data(),
-            model.bundle.column.data(),
-            w.is_fixed.data(),
-            w.blocks.data(),
-            w.inverse.data(),
-            w.change.data(),
-            w.residual.data(),
-            w.precise.data(),
-            w.direction.data(),
-            w.product.data()};
+    return {model.slices.node.data(), model.slices.start.data(), model.slices.column.data(),
+            w.is_fixed.data(),        w.blocks.data(),           w.inverse.data(),
+            w.change.data(),          w.residual.data(),         w.precise.data(),
+            w.direction.data(),       w.product.data()};
 }
 
 Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const Settings& settings, const State& state,

@@ -10,8 +10,10 @@
 namespace crumple::solver {
 namespace {
 
-// Node vectors end on a full vector of the widest processor.
+// Nodes of a state end on a full vector of the widest processor, those of a
+// workspace on a full slice.
 std::size_t padded_nodes(const Model& model) { return (model.node_count + 3) / 4 * 4; }
+std::size_t sliced_nodes(const Model& model) { return (model.node_count + slice_rows - 1) / slice_rows * slice_rows; }
 
 State take_state(const Model& model, Plasticity plasticity, Arena& arena) {
     State state;
@@ -26,7 +28,7 @@ State take_state(const Model& model, Plasticity plasticity, Arena& arena) {
 
 // What is written only when the blocks are assembled, so that the gradients they came from may go.
 void take_solve(const Model& model, Workspace& w, Arena& arena) {
-    const std::size_t node_count = padded_nodes(model);
+    const std::size_t node_count = sliced_nodes(model);
     w.mode_rows = arena.take<float>(mode_floats * node_count);
     w.partials = arena.take<Partial>(model.node_count);
     w.inverse = arena.take<float>(12 * node_count);
@@ -38,7 +40,7 @@ void take_solve(const Model& model, Workspace& w, Arena& arena) {
 }
 
 Workspace take_workspace(const Model& model, Arena& arena) {
-    const std::size_t node_count = padded_nodes(model);
+    const std::size_t node_count = sliced_nodes(model);
     const std::size_t corner_floats = model.packets.size() * packet_size * 16;
     Workspace w;
     Arena of_solve;
@@ -49,10 +51,11 @@ Workspace take_workspace(const Model& model, Arena& arena) {
         of_solve = Arena(before_solve);
         take_solve(model, w, of_solve);
     }
-    const auto before_blocks = arena.take<float>(std::max(corner_floats, 9 * model.block_count));
+    const std::size_t block_floats = group_floats * model.group_count;
+    const auto before_blocks = arena.take<float>(std::max(corner_floats, block_floats));
     if (!before_blocks.empty()) {
         w.forces = before_blocks.first(corner_floats);
-        w.blocks = before_blocks.first(9 * model.block_count);
+        w.blocks = before_blocks.first(block_floats);
     }
     w.load = arena.take<float>(4 * node_count);
     w.outside = w.load;

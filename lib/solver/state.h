@@ -76,7 +76,7 @@ struct Workspace {
     std::span<float> direction;        // N x 4
     std::span<float> product;          // N x 4
     std::span<float> forces;           // packets x 16 x 16; its memory is then that of blocks
-    std::span<float> blocks;           // B x 9
+    std::span<float> blocks;           // see Slices
     std::span<float> outside;          // N x 4; its memory is then that of load
     std::span<float> load;             // N x 4
     std::span<float> damped_mass;      // N
@@ -92,9 +92,8 @@ struct Workspace {
 [[nodiscard]] std::size_t workspace_bytes(const Model& model);
 [[nodiscard]] Workspace make_workspace(const Model& model, std::span<std::byte> memory);
 
-// Pieces of the loops: multiples of the widest node vector, large enough to be worth a thread.
+// Pieces of the loops, nodes_per_piece beside them: large enough to be worth a thread.
 inline constexpr std::size_t packets_per_piece = 8;
-inline constexpr std::size_t nodes_per_piece = 256;
 inline constexpr std::size_t edges_per_piece = 1024;
 
 }

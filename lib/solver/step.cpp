@@ -44,7 +44,8 @@ ElementJob element_job(const Model& model, State& state, Workspace& w, const Ste
                        const Settings& settings) {
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         const ModelMaterial& m = model.materials[i];
-        w.materials[i] = {1 - std::exp(-m.creep_per_s * input.dt), m.hardening_pa, m.max_plastic_strain};
+        w.materials[i] = {static_cast<float>(flowing_part(m.creep_per_s, input.dt)), m.hardening_pa,
+                          m.max_plastic_strain};
     }
     ElementJob job{
         model.packets.data(),   state.tets.data(),       state.shapes.empty() ? nullptr : state.shapes.data(),
@@ -86,15 +87,15 @@ void gather_loads(const Model& model, Workspace& w, const Kernels& kernels, cons
 bool assemble(const Model& model, Workspace& w, bool is_uniform, const Kernels& kernels, const Jobs& jobs) {
     const EdgeJob edges{model.bundle.edge_start.data(),
                         model.incidence.data(),
-                        model.bundle.edge_slots.data()->data(),
+                        model.edge_block.data()->data(),
                         w.gradients.data(),
                         w.blocks.data(),
                         model.ratio,
                         is_uniform};
     for_pieces(jobs, model.edge_count, edges_per_piece,
                [&](std::size_t, std::size_t b, std::size_t e) { kernels.edges(edges, b, e); });
-    const RowJob rows{model.bundle.row_start.data(), model.bundle.diagonal.data(), w.damped_mass.data(),
-                      w.blocks.data(), w.inverse.data()};
+    const RowJob rows{model.slices.node.data(), model.slices.start.data(), model.slices.column.data(),
+                      w.damped_mass.data(),     w.blocks.data(),           w.inverse.data()};
     for_pieces(jobs, model.node_count, nodes_per_piece,
                [&](std::size_t piece, std::size_t b, std::size_t e) { w.raised[piece] = kernels.rows(rows, b, e); });
     const std::size_t pieces = (model.node_count + nodes_per_piece - 1) / nodes_per_piece;

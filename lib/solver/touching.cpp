@@ -31,18 +31,15 @@ float noise(const State& state, const Workspace& w, const Partial& p) {
 // change += d at a node; the residual follows, rows of carried nodes as part of the locks.
 void shift(const Model& model, Workspace& w, RigidLocks& locks, Index node, Vec3f d) {
     set_row(w.change, node, row(w.change, node) + d);
-    for (Index k = model.bundle.row_start[node]; k < model.bundle.row_start[node + 1]; ++k) {
-        const Index j = model.bundle.column[k];
-        const float* b = &w.blocks[9 * std::size_t{k}];
+    for_row(model.slices, node, [&](Index j, std::size_t number) {
         // The block of (j, node) is the transpose.
-        const Vec3f taken{b[0] * d.x + b[1] * d.y + b[2] * d.z, b[3] * d.x + b[4] * d.y + b[5] * d.z,
-                          b[6] * d.x + b[7] * d.y + b[8] * d.z};
+        const Vec3f taken = transpose(block_at(w.blocks, number)) * d;
         if (locks.is_active && is_carried(model, w, j)) {
             add_to(locks.residual, -1, push_at(widen(model.bundle.rest_positions[j]), widen(taken)));
         } else if (!w.is_fixed[j]) {
             set_row(w.residual, j, row(w.residual, j) - taken);
         }
-    }
+    });
 }
 
 }

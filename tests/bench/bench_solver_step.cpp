@@ -116,9 +116,8 @@ double time_stream(std::size_t bytes) {
 // All that an instance needs beside the blob: what its model derives, its state and its workspace, and of the blob what
 // a step reads. Shared or not, each is counted once.
 double memory_bytes(const solver::Model& m) {
-    const double of_blob = static_cast<double>(m.block_count * sizeof(Index) +  // columns
-                                               m.node_count * (2 * sizeof(Index) + sizeof(float) + 1 + sizeof(Vec3f)) +
-                                               m.edge_count * 3 * sizeof(Index) + m.tet_count * sizeof(Tet));
+    const double of_blob = static_cast<double>(m.node_count * (sizeof(float) + 1 + sizeof(Vec3f)) +
+                                               m.edge_count * sizeof(Index) + m.tet_count * sizeof(Tet));
     return of_blob + static_cast<double>(model_bytes(m.bundle) + state_bytes(m, solver::Plasticity::additive) +
                                          workspace_bytes(m));
 }
@@ -149,13 +148,13 @@ void add_kernels(Rows& rows, const Bar& bar, const std::string& suffix) {
     solver::Workspace& w = body.workspace;
     const solver::EdgeJob edges{m.bundle.edge_start.data(),
                                 m.incidence.data(),
-                                m.bundle.edge_slots.data()->data(),
+                                m.edge_block.data()->data(),
                                 w.gradients.data(),
                                 w.blocks.data(),
                                 m.ratio,
                                 m.is_uniform};
-    const solver::RowJob ends{m.bundle.row_start.data(), m.bundle.diagonal.data(), w.damped_mass.data(),
-                              w.blocks.data(), w.inverse.data()};
+    const solver::RowJob ends{m.slices.node.data(), m.slices.start.data(), m.slices.column.data(),
+                              w.damped_mass.data(), w.blocks.data(),       w.inverse.data()};
     // Its memory held other things since.
     std::fill(w.gradients.begin(), w.gradients.end(), 0.5f);
     const double assembly = best_of(50, [&] {

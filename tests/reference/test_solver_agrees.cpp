@@ -95,9 +95,17 @@ TEST(SolverAgrees, EveryBlockWithTheSlotRoute) {
                     expected[9 * std::size_t{bundle.diagonal[i]} + k] += body.workspace.damped_mass[i];
                 }
             }
-            for (std::size_t i = 0; i < expected.size(); ++i) {
-                ASSERT_NEAR(body.workspace.blocks[i], expected[i], 1e-5 * largest)
-                    << name_of(isa) << " block " << i / 9;
+            for (Index row = 0; row < body.node_count(); ++row) {
+                solver::for_row(body.model.slices, row, [&](Index column, std::size_t number) {
+                    const auto first = bundle.column.begin() + bundle.row_start[row];
+                    const auto slot = std::find(first, bundle.column.end(), column) - bundle.column.begin();
+                    const solver::Mat3 block = solver::block_at(body.workspace.blocks, number);
+                    for (std::size_t i = 0; i < 9; ++i) {
+                        const double value = expected[9 * static_cast<std::size_t>(slot) + i];
+                        ASSERT_NEAR(transpose(block).m[i], value, 1e-5 * largest)
+                            << name_of(isa) << " row " << row << " column " << column;
+                    }
+                });
             }
         }
     }
