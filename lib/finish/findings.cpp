@@ -63,6 +63,14 @@ Finding empty_finding(Limit limit) {
                 "the near vertices or turn the edges there",
                 0,
                 {}};
+        case Limit::gap:
+            return {
+                "FINISH_FORCED_GAP",
+                Severity::info,
+                "tets below 10 degrees where two surfaces of the shell nearly meet: no mesh between them does better; "
+                "delete one that is a copy, or move them apart",
+                0,
+                {}};
         case Limit::none:
             break;
     }
@@ -84,7 +92,7 @@ void report_bad_tets(const Shell& shell, const TetMesh& mesh, Report& report, co
     quality::PlaceNames place_names;
     place_names.components = names;
     const quality::PlaceTeller teller(mesh, {shell.positions, shell.triangles}, place_names);
-    for (const Limit limit : {Limit::none, Limit::thin, Limit::needle}) {
+    for (const Limit limit : {Limit::none, Limit::thin, Limit::needle, Limit::gap}) {
         Finding finding = empty_finding(limit);
         for (std::size_t i = 0; i < bad.size(); ++i) {
             if (limits[i] != limit) continue;
@@ -94,9 +102,9 @@ void report_bad_tets(const Shell& shell, const TetMesh& mesh, Report& report, co
             std::snprintf(text, sizeof text, "%.3g degrees", bad[i].angle_deg);
             finding.places.push_back(teller.at_tet(bad[i].tet, text));
         }
-        (limit == Limit::none   ? report.failed
-         : limit == Limit::thin ? report.forced_thin
-                                : report.forced_needle) = finding.count;
+        if (limit == Limit::none) report.failed = finding.count;
+        if (limit == Limit::thin) report.forced_thin = finding.count;
+        if (limit == Limit::needle) report.forced_needle = finding.count;
         if (finding.count > 0) report.findings.push_back(std::move(finding));
     }
 }

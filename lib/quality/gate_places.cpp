@@ -69,6 +69,8 @@ const char* text_of(Limit limit) {
             return "forced by a thin shell";
         case Limit::needle:
             return "forced by a needle of the shell";
+        case Limit::gap:
+            return "forced by a narrow gap of the shell";
     }
     return "";
 }
@@ -159,6 +161,11 @@ PlaceTeller::Worst PlaceTeller::worst(Badness badness, Limit skipped) const {
         worst.places.push_back(at_tet(order[i], figure));
     }
     return worst;
+}
+
+std::uint64_t PlaceTeller::count(Limit limit) const {
+    const std::vector<Limit> limits = find_limits(surface_, mesh_.positions, mesh_.tets);
+    return static_cast<std::uint64_t>(std::count(limits.begin(), limits.end(), limit));
 }
 
 }

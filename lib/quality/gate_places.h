@@ -26,6 +26,9 @@ public:
     };
     [[nodiscard]] Worst worst(Badness badness, Limit skipped = Limit::none) const;
 
+    // Tets below 10 degrees for that reason.
+    [[nodiscard]] std::uint64_t count(Limit limit) const;
+
     [[nodiscard]] Place at_tet(Index tet, const std::string& figure) const;
     [[nodiscard]] Place at_node(Index node) const;
     // A place of its own, told by the tet nearest to it.

@@ -17,6 +17,9 @@ namespace {
 constexpr const char* thicken =
     "thicken it there, or cut its triangles finer until an edge is no longer than five times the thickness";
 constexpr const char* mend_needle = "collapse the short edge of the shell's needle there, or turn its long one";
+constexpr const char* part_surfaces =
+    "one may be a copy of the other (then import names both, SHELL_NEARLY_DOUBLE): delete it, or move them apart by a "
+    "fifth of their edges";
 constexpr const char* mesh_better =
     "try more interior points (sample.points) or another seed (sample.seed), with finish.mode full";
 
@@ -69,6 +72,8 @@ std::string remedy_for(Limit limit) {
             return std::string("the shell is too thin for its edges: ") + thicken;
         case Limit::needle:
             return std::string("a triangle of the shell has such a corner: ") + mend_needle;
+        case Limit::gap:
+            return std::string("two surfaces of the shell lie too close together for their edges: ") + part_surfaces;
     }
     return mesh_better;
 }
@@ -98,15 +103,20 @@ void judge_inverted(Judgement& judgement, const Case& of) {
 void judge_share_below_10(Judgement& judgement, const Case& of) {
     const Figures& f = of.figures;
     const double counted = static_cast<double>(f.shape.below_10_deg) - static_cast<double>(f.below_10_thin);
-    const auto needles = static_cast<unsigned long long>(f.below_10_needle);
-    const auto thin = static_cast<unsigned long long>(f.below_10_thin);
-    const auto free = static_cast<unsigned long long>(f.shape.below_10_deg) - thin - needles;
     const auto tell = [&]() -> Judgement::Told {
-        const std::string split = format(
-            "%llu lie on needles of the shell, %llu are not its fault (%llu where it is thin do not count): ", needles,
-            free, thin);
-        return {split + (needles > free ? mend_needle : mesh_better),
-                of.teller.worst(Badness::flattest, Limit::thin).places, static_cast<std::uint64_t>(counted)};
+        const std::uint64_t needles = f.below_10_needle;
+        const std::uint64_t unforced = f.shape.below_10_deg - f.below_10_thin - needles;
+        const std::uint64_t gaps = std::min(of.teller.count(Limit::gap), unforced);
+        const std::uint64_t free = unforced - gaps;
+        const char* remedy = gaps > std::max(needles, free) ? part_surfaces
+                             : needles > free               ? mend_needle
+                                                            : mesh_better;
+        std::string split = std::to_string(needles) + " lie on needles of the shell, ";
+        if (gaps > 0) split += std::to_string(gaps) + " where its surfaces nearly meet, ";
+        split += std::to_string(free) + " are not its fault (" + std::to_string(f.below_10_thin) +
+                 " where it is thin do not count): ";
+        return {split + remedy, of.teller.worst(Badness::flattest, Limit::thin).places,
+                static_cast<std::uint64_t>(counted)};
     };
     judgement.ask("GATE_BELOW_10_DEG", "the share of tets with an angle below 10 degrees", counted / f.shape.tets,
                   of.gates.below_10_share, Wanted::low, tell);

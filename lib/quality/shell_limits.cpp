@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/parallel_for.h"
+#include "geometry/bvh.h"
 #include "geometry/measures.h"
 #include "geometry/surface_distance.h"
 #include "quality/tet_measures.h"
@@ -17,6 +19,9 @@ namespace {
 
 constexpr double reached = 0.9;         // of what thinness allows
 constexpr double needle_reached = 0.5;  // of the needle's corner: a tet's angle over it is often half of it
+
+// Of an edge: no mesh is good between surfaces this near, whatever else is wrong with it.
+constexpr double hardly_apart = 1e-3;
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
@@ -55,9 +60,11 @@ public:
     Places(const Surface& surface)
         : surface_(surface),
           distance_(surface.positions, surface.triangles),
+          tree_(tree_of(surface)),
           fans_(surface.positions.size(), surface.triangles),
           diagonal_(bounding_box(surface.positions).diagonal()),
-          thickness_(surface.triangles.size(), 0) {}
+          thickness_(surface.triangles.size(), 0),
+          clearance_(surface.triangles.size(), 0) {}
 
     // To be called with the tets that will be asked for: what is thick there is measured once a triangle.
     void prepare(std::span<const Tet> tets, std::span<const Index> asked, const Context& context) {
@@ -71,25 +78,26 @@ public:
         std::sort(near.begin(), near.end());
         near.erase(std::unique(near.begin(), near.end()), near.end());
         parallel_for(context, near.size(), 64, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) thickness_[near[i]] = measure_thickness(near[i]);
+            for (std::size_t i = begin; i < end; ++i) {
+                thickness_[near[i]] = measure_thickness(near[i]);
+                clearance_[near[i]] = measure_clearance(near[i]);
+            }
         });
     }
 
     // atan(t / e) around the corners of a tet, degrees; a right angle where there is no surface.
     [[nodiscard]] double thin_limit_deg(const Tet& tet) const {
-        double area = 0;
-        double thickness = 0;
-        double edge = 0;
+        return degrees(std::atan(share_of_edge(tet, thickness_)));
+    }
+
+    // How near the surface comes to itself around the corners of a tet, in edges: on the whole, and at its nearest.
+    [[nodiscard]] double gap(const Tet& tet) const { return share_of_edge(tet, clearance_); }
+    [[nodiscard]] double narrowest_gap(const Tet& tet) const {
+        double least = std::numeric_limits<double>::infinity();
         for (const Index v : tet) {
-            for (const Index f : fans_.around(v)) {
-                const std::array<Vec3, 3> at = corners(f);
-                const double weight = length(area_vector(at[0], at[1], at[2]));
-                area += weight;
-                thickness += weight * thickness_[f];
-                edge += weight * (length(at[1] - at[0]) + length(at[2] - at[1]) + length(at[0] - at[2])) / 3;
-            }
+            for (const Index f : fans_.around(v)) least = std::min(least, clearance_[f] / longest_edge(f));
         }
-        return area > 0 ? degrees(std::atan2(thickness, edge)) : 90;
+        return least;
     }
 
     // The least corner of the surface triangles among a tet's faces, degrees; 90 when there is none.
@@ -107,6 +115,21 @@ public:
     }
 
 private:
+    // Of lengths measured on triangles: their mean over the mean edge, infinite where there is no surface.
+    [[nodiscard]] double share_of_edge(const Tet& tet, const std::vector<double>& lengths) const {
+        double measured = 0;
+        double edge = 0;
+        for (const Index v : tet) {
+            for (const Index f : fans_.around(v)) {
+                const std::array<Vec3, 3> at = corners(f);
+                const double weight = length(area_vector(at[0], at[1], at[2]));
+                measured += weight * lengths[f];
+                edge += weight * (length(at[1] - at[0]) + length(at[2] - at[1]) + length(at[0] - at[2])) / 3;
+            }
+        }
+        return edge > 0 ? measured / edge : std::numeric_limits<double>::infinity();
+    }
+
     [[nodiscard]] std::array<Vec3, 3> corners(Index f) const {
         const auto& [a, b, c] = surface_.triangles[f];
         return {surface_.positions[a], surface_.positions[b], surface_.positions[c]};
@@ -135,7 +158,7 @@ private:
         const Vec3 normal = area_vector(at[0], at[1], at[2]);
         const double size = length(normal);
         if (!(size > 0)) return 0;
-        const Vec3 p = (at[0] + at[1] + at[2]) / 3;
+        const Vec3 p = middle_of(f);
         const Vec3 inwards = normal * (-1 / size);
         double radius = diagonal_;
         for (int round = 0; round < 30; ++round) {
@@ -143,17 +166,67 @@ private:
             const auto closest = distance_.closest(centre, f);
             const Vec3 away = closest.point - p;
             const double along = dot(away, inwards);
-            if (!(closest.distance < radius * (1 - 1e-3)) || !(along > 0)) break;
+            // A surface of its own just behind p is within by little where the ball is large.
+            const double touching = share_a_corner(f, closest.triangle) ? 1e-3 : 1e-9;
+            if (!(closest.distance < radius * (1 - touching)) || !(along > 0)) break;
             radius = dot(away, away) / (2 * along);
         }
         return 2 * radius;
     }
 
+    // From the middle of a triangle to the nearest other one that lies before or behind it rather than beside it, its
+    // longest edge at most: farther away it forces nothing. Two that face each other have nothing between them.
+    [[nodiscard]] double measure_clearance(Index f) const {
+        const std::array<Vec3, 3> at = corners(f);
+        const Vec3 normal = area_vector(at[0], at[1], at[2]);
+        const Vec3 p = middle_of(f);
+        const auto distance_2 = [&](Index other) {
+            if (share_a_corner(f, other)) return std::numeric_limits<double>::infinity();
+            const std::array<Vec3, 3> of = corners(other);
+            const Vec3 off = closest_point_on_triangle(of[0], of[1], of[2], p) - p;
+            const double square = dot(off, off);
+            const double along = dot(off, normal);
+            const bool is_beside = along * along < 0.25 * square * dot(normal, normal);
+            const bool is_facing = along >= 0 && dot(area_vector(of[0], of[1], of[2]), normal) < 0;
+            return is_beside || is_facing ? std::numeric_limits<double>::infinity() : square;
+        };
+        const double edge = longest_edge(f);
+        return std::sqrt(tree_.nearest(p, distance_2, {none, edge * edge}).distance_2);
+    }
+
+    [[nodiscard]] double longest_edge(Index f) const {
+        const std::array<Vec3, 3> at = corners(f);
+        return std::max({length(at[1] - at[0]), length(at[2] - at[1]), length(at[0] - at[2])});
+    }
+
+    [[nodiscard]] Vec3 middle_of(Index f) const {
+        const std::array<Vec3, 3> at = corners(f);
+        return (at[0] + at[1] + at[2]) / 3;
+    }
+
+    [[nodiscard]] bool share_a_corner(Index f, Index g) const {
+        for (const Index v : surface_.triangles[f]) {
+            for (const Index w : surface_.triangles[g]) {
+                if (v == w) return true;
+            }
+        }
+        return false;
+    }
+
+    static Bvh tree_of(const Surface& surface) {
+        std::vector<Box> boxes;
+        for (const auto& [a, b, c] : surface.triangles)
+            boxes.push_back(bounding_box(std::array{surface.positions[a], surface.positions[b], surface.positions[c]}));
+        return Bvh(boxes);
+    }
+
     Surface surface_;
     SurfaceDistance distance_;
+    Bvh tree_;
     Fans fans_;
     double diagonal_;
     std::vector<double> thickness_;  // F: the ball's diameter, where measured
+    std::vector<double> clearance_;  // F: how near the surface comes to itself, likewise
 };
 
 Limit judge(const Places& places, const Tet& tet, double angle_deg, double below_deg) {
@@ -161,7 +234,9 @@ Limit judge(const Places& places, const Tet& tet, double angle_deg, double below
     if (reached * thin < below_deg && angle_deg >= reached * thin) return Limit::thin;
     const double needle = places.needle_deg(tet);
     if (needle < below_deg && angle_deg >= needle_reached * needle) return Limit::needle;
-    return Limit::none;
+    if (places.narrowest_gap(tet) < hardly_apart) return Limit::gap;
+    const double gap = degrees(std::atan(places.gap(tet)));
+    return reached * gap < below_deg && angle_deg >= reached * gap ? Limit::gap : Limit::none;
 }
 
 }

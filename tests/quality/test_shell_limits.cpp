@@ -103,7 +103,10 @@ TEST(ShellLimits, ASliverOnAThickShellHasNoExcuse) {
     std::vector<Vec3> positions = mesh.positions;
     std::vector<Triangle> triangles;
     for (const Vec3 p : box.positions) positions.push_back(p);
-    for (const Triangle& t : box.triangles) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    for (const Triangle& t : box.triangles) {
+        const bool is_top = box.positions[t[0]].z == 0 && box.positions[t[1]].z == 0 && box.positions[t[2]].z == 0;
+        if (!is_top) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    }
     triangles.push_back({0, 1, 2});
     EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::none);
 }
@@ -115,6 +118,47 @@ TEST(ShellLimits, OtherAnglesThanTenDegreesCanBeAskedFor) {
     const std::vector<Limit> below_20 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets, {}, 20);
     EXPECT_EQ(std::count(below_10.begin(), below_10.end(), Limit::none), std::ssize(below_10));
     EXPECT_GT(std::count(below_20.begin(), below_20.end(), Limit::thin), std::ssize(below_20) / 2);
+}
+
+// A box, and the same one inside it, the gap between them filled by layers of tets on each face.
+struct Doubled {
+    Shell shell;
+    TetMesh mesh;
+};
+
+Doubled doubled(double gap) {
+    const TetMesh inner = shapes::tet_grid(3);
+    Doubled made;
+    made.mesh.positions = inner.positions;
+    const std::vector<Triangle> faces = boundary_of(inner).faces;
+    const Vec3 centre{0.5, 0.5, 0.5};
+    for (const Vec3 p : inner.positions) made.mesh.positions.push_back(centre + (p - centre) * (1 + 2 * gap));
+    const auto offset = static_cast<Index>(inner.positions.size());
+    made.shell.positions = made.mesh.positions;
+    for (const Triangle& t : faces) {
+        made.shell.triangles.push_back(t);
+        made.shell.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+        made.mesh.tets.push_back({t[0], t[1], t[2], t[0] + offset});
+    }
+    return made;
+}
+
+TEST(ShellLimits, SurfacesThatNearlyCoincideForceTheTetsBetweenThem) {
+    for (const double gap : {1e-7, 1e-4, 0.01}) {
+        const Doubled made = doubled(gap);
+        const std::vector<Limit> limits =
+            find_limits({made.shell.positions, made.shell.triangles}, made.mesh.positions, made.mesh.tets);
+        for (const Limit limit : limits) EXPECT_EQ(limit, Limit::gap) << gap;
+    }
+}
+
+TEST(ShellLimits, AThinSheetIsThinHoweverLarge) {
+    for (const double thickness : {1e-2, 1e-4, 1e-6}) {
+        const TetMesh mesh = layer(16, 1, thickness);
+        const std::vector<Limit> limits = limits_of(mesh);
+        EXPECT_GT(std::count(limits.begin(), limits.end(), Limit::thin), std::ssize(limits) / 2) << thickness;
+        EXPECT_EQ(std::count(limits.begin(), limits.end(), Limit::none), 0) << thickness;
+    }
 }
 
 }
