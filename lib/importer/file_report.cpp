@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/file_report.h"
+
+#include <algorithm>
+
 #include "core/counted.h"
 
 namespace crumple::importer {
@@ -22,50 +25,98 @@ FileReport report_file(const std::string& name, const Format& format, const Plac
     return report;
 }
 
+namespace {
+
+Finding told(const char* code, Severity severity, const FileReport& report, const std::string& message,
+             std::uint64_t count) {
+    return {code, severity, report.name + ": " + message, count, {}};
+}
+
 // Triangles by the file's own count of corners that assimp did not deliver.
-std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report) {
-    std::vector<Finding> findings;
+void judge_faces(const Scene& scene, const FileReport& report, std::vector<Finding>& findings) {
     std::uint64_t delivered = 0;
     for (const SceneMesh& mesh : scene.meshes) delivered += mesh.triangles.size();
-    if (delivered < scene.expected_triangles) {
-        const std::uint64_t lost = scene.expected_triangles - delivered;
+    if (delivered >= scene.expected_triangles) return;
+    const std::uint64_t lost = scene.expected_triangles - delivered;
+    findings.push_back(told("FILE_FACES_LOST", Severity::warning, report,
+                            std::to_string(lost) + " of " + std::to_string(scene.expected_triangles) +
+                                " triangles of the file could not be read (polygons without area, or indices that are "
+                                "not there); triangulate before exporting",
+                            lost));
+}
+
+void judge_nodes(const Scene& scene, const FileReport& report, std::vector<Finding>& findings) {
+    if (const std::uint64_t count = scene.unread.nodes_of_no_scene; count > 0) {
+        findings.push_back(told("FILE_NO_SCENE", Severity::info, report,
+                                "the file has no scene, which would say what belongs together: " +
+                                    counted(count, "node with a mesh was", "nodes with a mesh were") + " read",
+                                count));
+    }
+    if (const std::uint64_t count = scene.unread.nodes; count > 0) {
+        findings.push_back(told("FILE_NODES_UNREAD", Severity::warning, report,
+                                counted(count, "node with a mesh is", "nodes with a mesh are") +
+                                    " outside the scene that is read (of another scene, or a level of detail)",
+                                count));
+    }
+    if (scene.extensions.empty()) return;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(scene.extensions.size(), max_places); ++i)
+        names += (i == 0 ? "" : ", ") + scene.extensions[i];
+    if (scene.extensions.size() > max_places) names += ", ...";
+    findings.push_back(told("FILE_EXTENSION", Severity::info, report,
+                            "the file requires " + names + ": not read, the surface does not need it",
+                            scene.extensions.size()));
+}
+
+}
+
+std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report) {
+    std::vector<Finding> findings;
+    judge_faces(scene, report, findings);
+    judge_nodes(scene, report, findings);
+    if (const std::uint64_t count = scene.unread.free_form; count > 0) {
+        findings.push_back(told("FILE_FREE_FORM", Severity::warning, report,
+                                counted(count, "free-form curve or surface was", "free-form curves and surfaces were") +
+                                    " not read; convert to polygons what belongs to the surface",
+                                count));
+    }
+    if (const std::uint64_t count = scene.unread.bytes; count > 0) {
+        findings.push_back(told("FILE_UNREAD", Severity::warning, report,
+                                counted(count, "byte follows", "bytes follow") +
+                                    " the last element that the header announces and " + (count == 1 ? "was" : "were") +
+                                    " not read; are the counts in the header too small?",
+                                count));
+    }
+    if (const std::uint64_t count = report.points_and_lines; count > 0) {
+        findings.push_back(told("FILE_POINTS_AND_LINES", Severity::info, report,
+                                counted(count, "point or line was", "points and lines were") + " dropped", count));
+    }
+    return findings;
+}
+
+std::vector<Finding> judge_other_paint(const Unread& unread, std::size_t color_set_count) {
+    std::vector<Finding> findings;
+    if (color_set_count > 0) return findings;
+    if (unread.colored_faces > 0) {
         findings.push_back(
-            {"FILE_FACES_LOST",
+            {"COLOR_ON_FACES",
              Severity::warning,
-             report.name + ": " + std::to_string(lost) + " of " + std::to_string(scene.expected_triangles) +
-                 " triangles of the file could not be read (polygons without area, or indices that are not "
-                 "there); triangulate before exporting",
-             lost,
+             counted(unread.colored_faces, "face has a colour of its own", "faces have colours of their own") +
+                 ", which lock nothing: only colours of vertices are read; paint vertices (in "
+                 "Blender a colour attribute of the domain Vertex, in MeshLab Transfer Color: Face to "
+                 "Vertex)",
+             unread.colored_faces,
              {}});
     }
-    if (scene.unread.free_form > 0) {
-        findings.push_back({"FILE_FREE_FORM",
-                            Severity::warning,
-                            report.name + ": " +
-                                counted(scene.unread.free_form, "free-form curve or surface was",
-                                        "free-form curves and surfaces were") +
-                                " not read; convert to polygons what belongs to the surface",
-                            scene.unread.free_form,
-                            {}});
-    }
-    if (scene.unread.bytes > 0) {
-        findings.push_back({"FILE_UNREAD",
-                            Severity::warning,
-                            report.name + ": " + counted(scene.unread.bytes, "byte follows", "bytes follow") +
-                                " the last element that the header announces and " +
-                                (scene.unread.bytes == 1 ? "was" : "were") +
-                                " not read; are the counts in the header too small?",
-                            scene.unread.bytes,
-                            {}});
-    }
-    if (report.points_and_lines > 0) {
-        findings.push_back({"FILE_POINTS_AND_LINES",
-                            Severity::info,
-                            report.name + ": " +
-                                counted(report.points_and_lines, "point or line was", "points and lines were") +
-                                " dropped",
-                            report.points_and_lines,
-                            {}});
+    if (unread.polypaint > 0) {
+        findings.push_back(
+            {"COLOR_IN_COMMENTS",
+             Severity::warning,
+             "ZBrush's polypaint of " + counted(unread.polypaint, "vertex", "vertices") +
+                 " stands in comments (#MRGB), which are not read and lock nothing; export PLY or FBX with "
+                 "vertex colours",
+             unread.polypaint,
+             {}});
     }
     return findings;
 }

@@ -21,6 +21,9 @@ constexpr double needle_sine_2 = 0.0075961;  // of 5 degrees, squared
 // Two diagonals of float rounding: what an exporter may have moved a vertex that was meant to lie on an edge.
 constexpr double on_edge = 1e-6;
 
+// Diagonals between two surfaces of which one may be a copy: at five metres 0.05 mm, thinner than any sheet.
+constexpr double nearly_double = 1e-5;
+
 struct Needle {
     double sine_2;  // of the smallest angle, squared
     Index triangle;
@@ -106,11 +109,74 @@ std::vector<Finding> find_t_junctions(const Shell& shell, double diagonal) {
     return {finding};
 }
 
+bool share_a_corner(const Triangle& a, const Triangle& b) {
+    return std::any_of(a.begin(), a.end(), [&](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+}
+
+struct Twin {
+    Index triangle = none;
+    double distance = 0;
+};
+
+// The nearest triangle that the middle of t lies on, or off along its normal. Two that face each other are solids that
+// touch: nothing is between them.
+Twin find_twin(const Shell& shell, const Bvh& tree, Index t, double reach) {
+    const auto corners = [&](Index of) {
+        const auto& [a, b, c] = shell.triangles[of];
+        return std::array{shell.positions[a], shell.positions[b], shell.positions[c]};
+    };
+    const auto [a, b, c] = corners(t);
+    const Vec3 middle = (a + b + c) / 3.0;
+    const Vec3 normal = area_vector(a, b, c);
+    Twin twin;
+    tree.within(middle, reach, [&](Index other) {
+        if (other == t || share_a_corner(shell.triangles[t], shell.triangles[other])) return false;
+        const auto [p, q, r] = corners(other);
+        const Vec3 off = closest_point_on_triangle(p, q, r, middle) - middle;
+        const double distance = length(off);
+        const Vec3 its_normal = area_vector(p, q, r);
+        const bool is_beside = std::fabs(dot(off, normal)) < 0.5 * distance * length(normal);
+        const bool is_across = length(cross(normal, its_normal)) > 0.1 * length(normal) * length(its_normal);
+        const bool is_facing = dot(off, normal) >= 0 && dot(normal, its_normal) < 0;
+        if (distance > reach || is_beside || is_across || is_facing) return false;
+        const bool is_nearer = distance < twin.distance || (distance == twin.distance && other < twin.triangle);
+        if (twin.triangle == none || is_nearer) twin = {other, distance};
+        return false;
+    });
+    return twin;
+}
+
+std::vector<Finding> find_nearly_double(const Shell& shell, double diagonal) {
+    std::vector<Box> boxes;
+    for (const auto& [a, b, c] : shell.triangles)
+        boxes.push_back(bounding_box(std::array{shell.positions[a], shell.positions[b], shell.positions[c]}));
+    const Bvh tree(boxes);
+    Finding finding{"SHELL_NEARLY_DOUBLE", Severity::warning, "", 0, {}};
+    double farthest = 0;
+    for (Index t = 0; t < shell.triangles.size(); ++t) {
+        const Twin twin = find_twin(shell, tree, t, nearly_double * diagonal);
+        if (twin.triangle == none) continue;
+        farthest = std::max(farthest, twin.distance);
+        if (finding.count++ >= max_places) continue;
+        Place place = place_of(shell, t);
+        const std::string& other = shell.components[shell.component[twin.triangle]].name;
+        if (other != place.name) place.name += " / " + other;
+        finding.places.push_back(std::move(place));
+    }
+    if (finding.count == 0) return {};
+    finding.message =
+        counted(finding.count, "triangle lies", "triangles lie") + " nearly on another one, at most " +
+        short_text(farthest, 2) +
+        " m off: a copy of a surface? No mesh between the two can be good; delete one, or move them apart";
+    return {finding};
+}
+
 }
 
 std::vector<Finding> find_flaws(const Shell& shell, double diagonal) {
     std::vector<Finding> findings = find_needles(shell);
     for (Finding& finding : find_t_junctions(shell, diagonal)) findings.push_back(std::move(finding));
+    for (Finding& finding : find_nearly_double(shell, diagonal)) findings.push_back(std::move(finding));
     return findings;
 }
 

@@ -9,7 +9,7 @@
 namespace crumple::importer {
 
 // SHELL_NEEDLE: triangles with a corner below 5 degrees, the sharpest first. SHELL_T_JUNCTION: vertices of open edges
-// that lie on the middle of another open edge.
+// that lie on the middle of another open edge. SHELL_NEARLY_DOUBLE: triangles whose middle lies nearly on another one.
 [[nodiscard]] std::vector<Finding> find_flaws(const Shell& shell, double diagonal);
 
 }

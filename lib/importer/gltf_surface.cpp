@@ -25,21 +25,21 @@ Json pick_each(Json& from, const char* list_name, std::initializer_list<const ch
     return picked;
 }
 
-Json surface_of(Json& primitive) {
+Json surface_of(Json& primitive, bool has_colors) {
     Json picked = pick(primitive, {"indices", "mode", "material"});
     picked["attributes"] = Json::object();
     for (const auto& [name, accessor] : primitive["attributes"].items()) {
-        if (name == "POSITION" || name.starts_with("COLOR_")) picked["attributes"][name] = accessor;
+        if (name == "POSITION" || (has_colors && name.starts_with("COLOR_"))) picked["attributes"][name] = accessor;
     }
     return picked;
 }
 
-Json meshes_of(Json& json) {
+Json meshes_of(Json& json, bool has_colors) {
     Json picked = Json::array();
     for (Json& mesh : json["meshes"]) {
         Json surface = pick(mesh, {"name"});
         surface["primitives"] = Json::array();
-        for (Json& primitive : mesh["primitives"]) surface["primitives"].push_back(surface_of(primitive));
+        for (Json& primitive : mesh["primitives"]) surface["primitives"].push_back(surface_of(primitive, has_colors));
         picked.push_back(std::move(surface));
     }
     return picked;
@@ -83,8 +83,11 @@ std::vector<ExternalBuffer> external_buffers(const Json& json) {
     return external;
 }
 
-std::string surface_only(Document document) {
+std::string surface_only(Document document, bool has_colors) {
     Json& from = document.json;
+    // assimp takes the first buffer of a binary file for its chunk, even where it says another file.
+    const Json& buffers = list(from, "buffers");
+    const bool has_chunk = document.is_binary && !buffers.empty() && uri_of(buffers[0]).empty();
     Json to = pick(from, {"scene"});
     to["asset"] = pick(from["asset"], {"version", "generator"});
     const auto keep = [&](const char* name, auto&& what) {
@@ -95,13 +98,13 @@ std::string surface_only(Document document) {
     };
     keep_each("scenes", {"name", "nodes"});
     keep_each("nodes", {"name", "children", "mesh", "matrix", "translation", "rotation", "scale"});
-    keep("meshes", [&] { return meshes_of(from); });
+    keep("meshes", [&] { return meshes_of(from, has_colors); });
     keep_each("materials", {"name"});
     keep("accessors", [&] { return accessors_of(from); });
     keep_each("bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
     keep("buffers", [&] { return buffers_of(from); });
     std::string text = to.dump();
-    return document.is_binary ? binary_file(std::move(text), document.binary) : text;
+    return has_chunk ? binary_file(std::move(text), document.binary) : text;
 }
 
 }

@@ -13,8 +13,8 @@ namespace crumple::importer::gltf {
 [[nodiscard]] std::vector<ExternalBuffer> external_buffers(const Json& json);
 
 // The file without skins, animations, morphs, textures and whatever else assimp may crash on or get wrong: scenes,
-// nodes, positions, colours, indices and names only. External buffers go by their ExternalBuffer::name there.
-// REQUIRES: the document was found good (prescan_gltf).
-[[nodiscard]] std::string surface_only(Document document);
+// nodes, positions, colours where they are wanted, indices and names only. External buffers go by their
+// ExternalBuffer::name there. REQUIRES: the document was found good (prescan_gltf).
+[[nodiscard]] std::string surface_only(Document document, bool has_colors);
 
 }

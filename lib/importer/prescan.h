@@ -34,28 +34,29 @@ struct Prescan {
     std::vector<ReadNumber> numbers;      // every number of other text formats, ascending by read, then exact
     std::vector<Affine> transforms;       // glTF: of its nodes
     std::vector<ExternalBuffer> buffers;  // glTF: what it needs of other files
-    std::string surface_only;             // glTF: what assimp is to read instead of the file, empty: the file
+    std::vector<std::string> extensions;  // glTF: required, but not for surface and paint
+    std::string surface_only;             // what assimp is to read instead of the file, empty: the file
     std::uint64_t expected_triangles = 0;  // from polygon sizes, 0: not counted
     Unread unread;
 };
 
 // All throw Error(bad_input) that says where in the file.
 
-// A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's 3 or 6 each. Objects and materials are not
-// more than assimp can tell apart in a few seconds.
+// A shell's `v` lines have 3 numbers, or all 6 (colours, which assimp reads as we do); a visual mesh's may have colours
+// with alpha or a weight of 1 besides. Objects and materials are not more than assimp can tell apart in a few seconds.
 [[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
 
 // The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist. A
-// shell's colours have names and a type whose 0 assimp keeps, and values of that type.
+// shell's colours have names and a type whose range is agreed upon, and values of that type.
 [[nodiscard]] Prescan prescan_ply(std::string_view bytes, Purpose purpose);
 
 // The counts of the header are those of the lines that follow, and each vertex of a shell has the numbers that the
-// header's keyword says.
+// header's keyword says; one of a visual mesh has three at least.
 [[nodiscard]] Prescan prescan_off(std::string_view text, Purpose purpose);
 
 // Binary glTF: the chunks fit the file. Both: version 2, no extension that hides the geometry, no accessor reaches
-// beyond its buffer, no node is its own parent.
-[[nodiscard]] Prescan prescan_gltf(std::string_view bytes);
+// beyond its buffer, no node is its own parent. A shell's colours are as many as its vertices.
+[[nodiscard]] Prescan prescan_gltf(std::string_view bytes, Purpose purpose = Purpose::shell);
 
 // Collects the numbers of COLLADA, X, and of FBX and STL where they are text; never throws.
 [[nodiscard]] Prescan prescan_numbers(std::string_view bytes);

@@ -7,6 +7,8 @@
 #include "core/error.h"
 #include "core/index.h"
 #include "importer/gltf_document.h"
+#include "importer/gltf_extensions.h"
+#include "importer/gltf_scene.h"
 #include "importer/gltf_surface.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
@@ -149,7 +151,7 @@ const Json& accessor_at(const Json& document, std::uint64_t index) {
 }
 
 // assimp copies positions as floats whatever they are, and leaves out colours of another count without a word.
-void check_attributes(const Json& document, const Json& attributes) {
+void check_attributes(const Json& document, const Json& attributes, Purpose purpose) {
     if (!attributes.is_object()) refuse("a primitive's attributes are not an object");
     const std::uint64_t position = number(attributes, "POSITION", none);
     if (position == none) return;
@@ -160,7 +162,7 @@ void check_attributes(const Json& document, const Json& attributes) {
         refuse("positions are not three floats (quantized?); export without compression");
     }
     for (const auto& [name, accessor] : attributes.items()) {
-        if (!name.starts_with("COLOR_")) continue;
+        if (!name.starts_with("COLOR_") || purpose == Purpose::visual) continue;
         const std::uint64_t colors = number(accessor_at(document, number(attributes, name.c_str(), none)), "count", 0);
         if (colors != number(positions, "count", 0)) {
             refuse(name + " holds " + std::to_string(colors) + " colours for " +
@@ -169,11 +171,11 @@ void check_attributes(const Json& document, const Json& attributes) {
     }
 }
 
-std::uint64_t triangles_of(const Json& document, const Json& primitive) {
+std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose purpose) {
     constexpr std::uint64_t triangles_mode = 4;  // below: points and lines; above: strips and fans
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end()) refuse("a primitive has no attributes");
-    check_attributes(document, *attributes);
+    check_attributes(document, *attributes, purpose);
     const std::uint64_t mode = number(primitive, "mode", triangles_mode);
     const std::uint64_t position = number(*attributes, "POSITION", none);
     const std::uint64_t indices = number(primitive, "indices", none);
@@ -183,64 +185,13 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive) {
     return corners >= 3 ? corners - 2 : 0;
 }
 
-// Extensions about light, looks and notes: what does not know them still sees the same surface.
-constexpr std::string_view harmless[] = {"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_animation_",
-                                         "KHR_xmp",        "EXT_texture_", "EXT_lights_", "MSFT_texture_",
-                                         "KHR_node_",      "KHR_audio"};
-
-// glTF 2.0, section 3.12: a file whose required extension one does not know must not be loaded.
-void check_extension(const std::string& name) {
-    if (std::any_of(std::begin(harmless), std::end(harmless), [&](auto start) { return name.starts_with(start); }))
-        return;
-    const bool is_compression = name == "KHR_draco_mesh_compression" || name == "KHR_mesh_quantization" ||
-                                name.ends_with("_meshopt_compression");
-    refuse((is_compression ? "its geometry is compressed (" : "it needs the extension ") + in_quotes(name) +
-           (is_compression ? "), which is not read; export without compression"
-                           : ", which is not read; export without it"));
-}
-
-void check_extensions(const Json& document) {
-    for (const Json& name : list(document, "extensionsRequired")) {
-        if (!name.is_string()) refuse("the name of a required extension is no text");
-        check_extension(name.get<std::string>());
-    }
-    for (const Json& node : list(document, "nodes")) {
-        if (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing"))
-            refuse("a node is drawn many times (EXT_mesh_gpu_instancing), which is not read; export copies instead");
-    }
-}
-
-// A node has one parent at most, and none is above itself.
-void check_nodes(const Json& document) {
-    constexpr std::size_t deepest = 1000;
-    const Json& nodes = list(document, "nodes");
-    std::vector<std::size_t> parent(nodes.size(), nodes.size());
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        for (const Json& child : list(nodes[n], "children")) {
-            const std::uint64_t c = child.is_number_unsigned() ? child.get<std::uint64_t>() : nodes.size();
-            if (c >= nodes.size()) refuse("node " + std::to_string(n) + " has a child that is not there");
-            if (parent[c] < nodes.size()) refuse("node " + std::to_string(c) + " has two parents");
-            parent[c] = n;
-        }
-    }
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        std::size_t depth = 0;
-        for (std::size_t above = parent[n]; above < nodes.size(); above = parent[above]) {
-            if (++depth > deepest) {
-                refuse("node " + std::to_string(n) + " is nested more than " + std::to_string(deepest) +
-                       " deep, or within itself");
-            }
-        }
-    }
-}
-
-std::uint64_t count_triangles(const Json& document) {
+std::uint64_t count_triangles(const Json& document, Purpose purpose) {
     std::uint64_t count = 0;
     for (const Json& mesh : list(document, "meshes")) {
         if (!mesh.is_object()) refuse("a mesh is not an object");
         for (const Json& primitive : list(mesh, "primitives")) {
             if (!primitive.is_object()) refuse("a primitive is not an object");
-            count += triangles_of(document, primitive);
+            count += triangles_of(document, primitive, purpose);
         }
     }
     return count;
@@ -248,29 +199,27 @@ std::uint64_t count_triangles(const Json& document) {
 
 }
 
-Prescan prescan_gltf(std::string_view bytes) {
+Prescan prescan_gltf(std::string_view bytes, Purpose purpose) {
     gltf::Document document = gltf::parse(bytes);
     const Json& json = document.json;
+    Prescan result;
     check_version(json);
-    check_extensions(json);
+    result.extensions = gltf::check_extensions(json);
     const Json& buffers = list(json, "buffers");
     for (std::size_t i = 0; i < buffers.size(); ++i) check_buffer(document, buffers[i], i);
     const Json& views = list(json, "bufferViews");
     for (std::size_t i = 0; i < views.size(); ++i) check_view(json, views[i], i);
     const Json& accessors = list(json, "accessors");
     for (std::size_t i = 0; i < accessors.size(); ++i) check_accessor(json, accessors[i], i);
-
-    Prescan result;
     for (const Json& node : list(json, "nodes")) result.transforms.push_back(transform_of(node));
-    check_nodes(json);
-    result.expected_triangles = count_triangles(json);
-    for (const char* name : {"scenes", "materials"}) {
-        for (const Json& item : list(json, name)) {
-            if (!item.is_object()) refuse(std::string("one of the ") + name + " is not an object");
-        }
+    gltf::check_nodes(json);
+    result.expected_triangles = count_triangles(json, purpose);
+    for (const Json& item : list(json, "materials")) {
+        if (!item.is_object()) refuse("one of the materials is not an object");
     }
     result.buffers = gltf::external_buffers(json);
-    result.surface_only = gltf::surface_only(std::move(document));
+    gltf::choose_scene(document.json, result.unread);
+    result.surface_only = gltf::surface_only(std::move(document), purpose == Purpose::shell);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "importer/assimp_number.h"
 #include "importer/coordinate.h"
+#include "importer/paint.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -88,13 +89,23 @@ Vec3f assimp_position(const VertexLine& vertex, Vec3f exact) {
     return position;
 }
 
-void check_number_count(std::size_t count, std::size_t& first_count, std::size_t line, Purpose purpose) {
+bool is_one(std::string_view word) { return to_number<double>(word) == 1.0; }
+
+// x y z; with a weight of 1; with a colour; with a colour and alpha.
+bool fits_a_visual(const VertexLine& vertex) {
+    return vertex.count == 3 || (vertex.count == 4 && is_one(vertex.words[3])) || vertex.count == 6 ||
+           vertex.count == 7;
+}
+
+void check_number_count(const VertexLine& vertex, std::size_t& first_count, std::size_t line, Purpose purpose) {
+    const std::size_t count = vertex.count;
+    if (purpose == Purpose::visual && fits_a_visual(vertex)) return;
     const std::string have = "a `v` line of " + std::to_string(count) + " numbers";
     if (count != 3 && count != 6) {
         refuse(line, have + "; write x y z, or x y z red green blue on every one (alpha is not read)");
     }
     if (first_count == 0) first_count = count;
-    if (purpose == Purpose::shell && count != first_count) {
+    if (count != first_count) {
         refuse(line, have + " where the first has " + std::to_string(first_count) +
                          "; give every vertex a colour or none, or vertices without one would count as locked");
     }
@@ -180,10 +191,42 @@ void check_is_surface(const Prescan& scan) {
                                           : "it has no faces, only points; a surface is needed");
 }
 
-// The red of a `v` line as it stands there, for vertices that no face uses: the reader drops those.
-float red_of(const VertexLine& vertex) {
-    const auto red = vertex.count == 6 ? to_number<double>(vertex.words[3]) : std::nullopt;
-    return static_cast<float>(red.value_or(1));
+// The red of a `v` line. One that assimp reads as something else would lock or free a vertex.
+float red_of(const VertexLine& vertex, std::size_t line) {
+    for (std::size_t i = 3; i < 6; ++i) {
+        if (!to_number<double>(vertex.words[i]))
+            refuse(line, "the colour " + in_quotes(vertex.words[i]) + " is not a number");
+    }
+    const auto red = static_cast<float>(*to_number<double>(vertex.words[3]));
+    const auto read = as_assimp_reads(vertex.words[3]);
+    if (!read || is_locked(*read) != is_locked(red))
+        refuse(line,
+               "the reader makes something else of the red " + in_quotes(vertex.words[3]) + "; write a plain number");
+    return red;
+}
+
+// The vertices that a line of ZBrush's polypaint gives a colour: 8 digits each, MMRRGGBB.
+std::uint64_t count_polypaint(std::string_view digits) {
+    constexpr std::size_t digits_a_vertex = 8;
+    return next_word(digits).size() / digits_a_vertex;
+}
+
+// The same file with nothing but x y z on its `v` lines: assimp knows fewer forms of them.
+std::string without_paint(std::string_view text) {
+    std::string plain;
+    Lines lines(text);
+    for (std::string_view line; lines.next(line);) {
+        std::string_view rest = line;
+        if (next_word(rest) != "v") {
+            plain.append(line) += '\n';
+            continue;
+        }
+        const VertexLine vertex = split(rest);
+        plain += 'v';
+        for (std::size_t axis = 0; axis < 3; ++axis) (plain += ' ').append(vertex.words[axis]);
+        plain += '\n';
+    }
+    return plain;
 }
 
 }
@@ -194,6 +237,7 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
     Faces faces;
     Names names;
     std::size_t first_count = 0;
+    bool has_paint = false;
     for (std::string_view line; lines.next(line);) {
         const std::string_view keyword = next_word(line);
         if (keyword == "f") {
@@ -201,15 +245,18 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
         }
         if (keyword == "o" || keyword == "usemtl") names.read(keyword, line, lines.number());
         if (is_free_form(keyword)) ++result.unread.free_form;
+        if (keyword == "#MRGB") result.unread.polypaint += count_polypaint(line);
         if (keyword != "v") continue;
         const VertexLine vertex = split(line);
-        check_number_count(vertex.count, first_count, lines.number(), purpose);
+        check_number_count(vertex, first_count, lines.number(), purpose);
+        has_paint = has_paint || vertex.count > 3;
         result.positions.push_back(exact_position(vertex, lines.number()));
         result.assimp_positions.push_back(assimp_position(vertex, result.positions.back()));
-        if (purpose == Purpose::shell && vertex.count == 6) result.reds.push_back(red_of(vertex));
+        if (purpose == Purpose::shell && vertex.count == 6) result.reds.push_back(red_of(vertex, lines.number()));
     }
     faces.check_against(result.positions.size());
     check_is_surface(result);
+    if (has_paint && purpose == Purpose::visual) result.surface_only = without_paint(text);
     return result;
 }
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <charconv>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "importer/coordinate.h"
@@ -49,8 +53,8 @@ struct Header {
     bool has_colors = false;
 };
 
-// [ST][C][N][4][n]OFF; assimp knows no other order.
-Header read_keyword(std::string_view word) {
+// [ST][C][N][4][n]OFF; assimp knows no other order. All begin with the position, which is all that a visual mesh needs.
+Header read_keyword(std::string_view word, Purpose purpose) {
     Header header;
     header.keyword = word;
     if (!word.ends_with("OFF")) refuse("line 1: OFF is missing");
@@ -61,7 +65,7 @@ Header read_keyword(std::string_view word) {
         refuse("line 1: " + in_quotes(header.keyword) + " is no word of OFF; write OFF or COFF");
     const bool has_normals = word.find('N') != std::string_view::npos;
     header.has_colors = word.find('C') != std::string_view::npos;
-    if (header.has_colors && has_normals) {
+    if (header.has_colors && has_normals && purpose == Purpose::shell) {
         refuse("line 1: " + in_quotes(header.keyword) +
                ": programs disagree whether normals or colours come first; export COFF, without normals");
     }
@@ -70,11 +74,11 @@ Header read_keyword(std::string_view word) {
     return header;
 }
 
-Header read_header(Lines& lines) {
+Header read_header(Lines& lines, Purpose purpose) {
     std::string_view line;
     if (!lines.next(line)) refuse("the file is empty");
     std::string_view rest = line;
-    Header header = read_keyword(next_word(rest));
+    Header header = read_keyword(next_word(rest), purpose);
     line = rest;
     if (next_word(rest).empty()) {
         if (!lines.next(line)) refuse("the counts are missing");
@@ -91,10 +95,10 @@ Header read_header(Lines& lines) {
 }
 
 // Numbers that the keyword does not announce may be colours, and so locks; colours that are missing make assimp fail.
-void check_number_count(std::string_view line, const Header& header, const Lines& lines, Purpose purpose) {
+void check_number_count(std::string_view line, const Header& header, const Lines& lines) {
     std::size_t count = 0;
     while (!next_word(line).empty()) ++count;
-    if (count == header.numbers || (!header.has_colors && purpose == Purpose::visual)) return;
+    if (count == header.numbers) return;
     const std::string have = lines.place() + "a vertex of " + std::to_string(count) + " numbers, where " +
                              in_quotes(header.keyword) + " has " + std::to_string(header.numbers);
     refuse(have + (header.has_colors ? " (x y z red green blue alpha, all of them on each line)"
@@ -117,51 +121,95 @@ Vec3f read_position(std::string_view line, const Lines& lines) {
 float read_red(std::string_view line, const Lines& lines) {
     for (int axis = 0; axis < 3; ++axis) (void)next_word(line);
     const std::string_view word = next_word(line);
-    const auto red = to_number<double>(word);
+    const auto red = to_number<double>(word);  // not to_real: assimp reads "-1.#IND" as -1
     if (!red) refuse(lines.place() + "the red " + in_quotes(word) + " is not a number");
     return static_cast<float>(*red);
 }
 
-std::uint64_t read_polygon(std::string_view line, const Lines& lines, const Header& header) {
-    const auto corners = to_number<std::uint64_t>(next_word(line));
-    if (!corners || *corners == 0) refuse(lines.place() + "the number of corners of a face is missing");
-    if (*corners > max_corners) {
-        refuse(lines.place() + "a face of " + std::to_string(*corners) + " corners; split faces of more than " +
+// Leaves the line behind the corners.
+std::vector<std::uint64_t> read_polygon(std::string_view& line, const Lines& lines, const Header& header) {
+    const auto count = to_number<std::uint64_t>(next_word(line));
+    if (!count || *count == 0) refuse(lines.place() + "the number of corners of a face is missing");
+    if (*count > max_corners) {
+        refuse(lines.place() + "a face of " + std::to_string(*count) + " corners; split faces of more than " +
                std::to_string(max_corners));
     }
-    for (std::uint64_t i = 0; i < *corners; ++i) {
+    std::vector<std::uint64_t> corners;
+    for (std::uint64_t i = 0; i < *count; ++i) {
         const auto vertex = to_number<std::uint64_t>(next_word(line));
         if (!vertex || *vertex >= header.vertices) {
             refuse(lines.place() + "corner " + std::to_string(i) + " of a face refers to no vertex");
         }
+        corners.push_back(*vertex);
     }
-    return *corners < 3 ? 0 : *corners - 2;
+    return corners;
+}
+
+// What of a visual mesh is a surface, as plain OFF: its colours may be odd, which assimp would refuse.
+class PlainOff {
+public:
+    explicit PlainOff(const Header& header)
+        : text_("OFF\n" + std::to_string(header.vertices) + " " + std::to_string(header.faces) + " 0\n") {}
+
+    void add_vertex(Vec3f position) {
+        for (int axis = 0; axis < 3; ++axis) append(position[axis], axis < 2 ? ' ' : '\n');
+    }
+    void add_face(const std::vector<std::uint64_t>& corners) {
+        append(corners.size(), ' ');
+        for (const std::uint64_t corner : corners) append(corner, ' ');
+        text_.back() = '\n';
+    }
+    [[nodiscard]] std::string take() { return std::move(text_); }
+
+private:
+    template <class Number>
+    void append(Number number, char after) {
+        std::array<char, 32> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+        text_.append(digits.data(), end);
+        text_ += after;
+    }
+
+    std::string text_;
+};
+
+void check_counts(const Header& header, const Lines& lines) {
+    constexpr std::size_t shortest_line = 6;  // "0 0 0\n"
+    if (header.vertices <= lines.size_left() / shortest_line + 1 && header.faces <= lines.size_left() / 2 + 1) return;
+    refuse("the header announces " + std::to_string(header.vertices) + " vertices and " + std::to_string(header.faces) +
+           " faces, more than the file can hold");
 }
 
 }
 
 Prescan prescan_off(std::string_view text, Purpose purpose) {
+    const bool is_visual = purpose == Purpose::visual;
     Lines lines(text);
-    const Header header = read_header(lines);
-    constexpr std::size_t shortest_line = 6;  // "0 0 0\n"
-    if (header.vertices > lines.size_left() / shortest_line + 1 || header.faces > lines.size_left() / 2 + 1) {
-        refuse("the header announces " + std::to_string(header.vertices) + " vertices and " +
-               std::to_string(header.faces) + " faces, more than the file can hold");
-    }
+    const Header header = read_header(lines, purpose);
+    check_counts(header, lines);
+    PlainOff plain(header);
     Prescan result;
     std::string_view line;
     for (std::uint64_t v = 0; v < header.vertices; ++v) {
         if (!lines.next(line))
             refuse("the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) + " vertices");
         result.positions.push_back(read_position(line, lines));
-        check_number_count(line, header, lines, purpose);
-        if (header.has_colors && purpose == Purpose::shell) result.reds.push_back(read_red(line, lines));
+        if (is_visual) {
+            plain.add_vertex(result.positions.back());
+            continue;
+        }
+        check_number_count(line, header, lines);
+        if (header.has_colors) result.reds.push_back(read_red(line, lines));
     }
     for (std::uint64_t f = 0; f < header.faces; ++f) {
         if (!lines.next(line))
             refuse("the file ends after " + std::to_string(f) + " of " + std::to_string(header.faces) + " faces");
-        result.expected_triangles += read_polygon(line, lines, header);
+        const std::vector<std::uint64_t> corners = read_polygon(line, lines, header);
+        if (corners.size() > 2) result.expected_triangles += corners.size() - 2;
+        if (!next_word(line).empty()) ++result.unread.colored_faces;
+        if (is_visual) plain.add_face(corners);
     }
+    if (is_visual) result.surface_only = plain.take();
     return result;
 }
 

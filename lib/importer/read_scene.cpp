@@ -33,7 +33,7 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
         case FormatId::off:
             return prescan_off(bytes, purpose);
         case FormatId::gltf:
-            return prescan_gltf(bytes);
+            return prescan_gltf(bytes, purpose);
         case FormatId::dae:
         case FormatId::fbx:
         case FormatId::stl:
@@ -110,16 +110,24 @@ Source look_at(const std::string& path, const Format& format, Purpose purpose) {
     return source;
 }
 
+// assimp takes a file's name for what it is: a binary glTF by the name of .gltf it would not read.
+std::string name_for_assimp(const std::string& path, const Format& format, std::string_view bytes) {
+    if (format.id != FormatId::gltf) return path;
+    return bytes.starts_with("glTF") ? "scene.glb" : "scene.gltf";
+}
+
 // The importer is never destroyed: some destructors crash after a good load, and this process ends anyway.
 // JoinIdenticalVertices would lose locks (it ignores colours), SortByPType would reorder vertices.
 const aiScene& read_with_assimp(const std::string& path, const Source& source, const Format& format) {
     auto* files = new MemoryFiles;
-    files->add(path, source.scan.surface_only.empty() ? source.bytes : source.scan.surface_only);
+    const std::string& bytes = source.scan.surface_only.empty() ? source.bytes : source.scan.surface_only;
+    const std::string name = name_for_assimp(path, format, bytes);
+    files->add(name, bytes);
     for (std::size_t i = 0; i < source.buffers.size(); ++i) files->add(source.scan.buffers[i].name, source.buffers[i]);
     auto* importer = new Assimp::Importer;
     importer->SetIOHandler(files);
-    const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
-    if (!scene) refuse(reason(*importer, path));
+    const aiScene* scene = importer->ReadFile(name, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
+    if (!scene) refuse(reason(*importer, name));
     check_importer(*scene, format);
     if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) || !scene->mRootNode || scene->mNumMeshes == 0) {
         refuse("it holds no mesh");
@@ -210,6 +218,7 @@ Scene read_scene(const std::string& path, const Format& format, Purpose purpose)
     scene.generator = generator_of(from);
     scene.expected_triangles = source.scan.expected_triangles;
     scene.unread = source.scan.unread;
+    scene.extensions = source.scan.extensions;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
     if (format.id == FormatId::stl) forget_colors(scene);

@@ -12,7 +12,7 @@ namespace crumple::importer {
 
 namespace {
 
-constexpr std::uint32_t scene_magic = 0x33637363;
+constexpr std::uint32_t scene_magic = 0x34637363;
 constexpr std::size_t max_color_sets = 8;
 
 class Writer {
@@ -207,6 +207,8 @@ std::vector<std::byte> encode(const Scene& scene) {
     out.number(scene.axes);
     out.number(scene.expected_triangles);
     out.number(scene.unread);
+    out.number<std::uint64_t>(scene.extensions.size());
+    for (const std::string& name : scene.extensions) out.text(name);
     out.array(scene.file_positions);
     out.array(scene.file_reds);
     out.number<std::uint64_t>(scene.meshes.size());
@@ -226,6 +228,8 @@ Scene decode(std::span<const std::byte> bytes) {
     scene.axes = in.number<std::array<double, 9>>();
     scene.expected_triangles = in.number<std::uint64_t>();
     scene.unread = in.number<Unread>();
+    scene.extensions.resize(in.count(sizeof(std::uint64_t)));
+    for (std::string& name : scene.extensions) name = printable(in.text());
     scene.file_positions = in.array<Vec3f>();
     scene.file_reds = in.array<float>();
     constexpr std::size_t smallest_mesh = 8 * sizeof(std::uint64_t);

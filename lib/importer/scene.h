@@ -38,8 +38,12 @@ struct SceneNode {
 
 // What of a file is not read, and nobody is told otherwise.
 struct Unread {
-    std::uint64_t bytes = 0;      // behind the last element that its header announces (PLY)
-    std::uint64_t free_form = 0;  // curves and surfaces that are not polygons (OBJ)
+    std::uint64_t bytes = 0;              // behind the last element that its header announces (PLY)
+    std::uint64_t free_form = 0;          // curves and surfaces that are not polygons (OBJ)
+    std::uint64_t colored_faces = 0;      // with a colour of their own (PLY, OFF)
+    std::uint64_t polypaint = 0;          // vertices with a colour in comments of ZBrush (OBJ)
+    std::uint64_t nodes = 0;              // with a mesh, outside the scene that is read (glTF)
+    std::uint64_t nodes_of_no_scene = 0;  // read although no scene says so (glTF)
 };
 
 struct Scene {
@@ -49,6 +53,7 @@ struct Scene {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1};  // 3 x 3 row-major: from the file's axes to Y up
     std::uint64_t expected_triangles = 0;  // by the file's own count of polygon corners, 0: not counted
     Unread unread;
+    std::vector<std::string> extensions;  // that the file requires, and that say nothing of surface and paint (glTF)
     std::vector<Vec3f> file_positions;  // the file's vertex list where it is indexed apart from faces (OBJ), else empty
     std::vector<float> file_reds;       // of file_positions as the file states them, or empty: it has no colours
     std::vector<SceneMesh> meshes;

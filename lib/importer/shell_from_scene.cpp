@@ -133,6 +133,7 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     const std::vector<std::uint8_t> is_used = used_vertices(surface, vertex_list);
     report.unused_vertices = static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), 0));
     append(report.findings, judge_unused_locks(scene, vertex_list, is_used));
+    append(report.findings, judge_other_paint(scene.unread, painted.set_count));
     append(report.findings, judge_generator(scene, painted.set_count));
     context.stop_if_cancelled();
 

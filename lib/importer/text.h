@@ -2,6 +2,7 @@
 // Lines, words and numbers of text files. Views into the file's text; nothing is copied.
 #pragma once
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -37,6 +38,18 @@ std::optional<Number> to_number(std::string_view word) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool is_whole = end == word.data() + word.size() && !word.empty();
     return error == std::errc{} && is_whole ? std::optional<Number>(value) : std::nullopt;
+}
+
+// The same, and what old C libraries of Windows print for what is no number ("-1.#IND", "1.#QNAN"), of which other
+// readers make -1 or 1.
+inline std::optional<double> to_real(std::string_view word) {
+    const std::size_t mark = word.find("#");
+    if (mark == std::string_view::npos || mark == 0 || word[mark - 1] != '.') return to_number<double>(word);
+    const std::string_view what = word.substr(mark + 1, 3);
+    if (what == "IND" || what == "QNA" || what == "SNA") return std::numeric_limits<double>::quiet_NaN();
+    if (what != "INF") return std::nullopt;
+    const double infinity = std::numeric_limits<double>::infinity();
+    return word[0] == '-' ? -infinity : infinity;
 }
 
 }

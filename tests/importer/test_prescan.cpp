@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/prescan.h"
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "importer/import_checks.h"
 
@@ -63,9 +65,29 @@ TEST(PrescanObj, NamesTheFirstLineThatDiffers) {
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1 1 1 1\n"), "line 1: a `v` line of 7"));
 }
 
-TEST(PrescanObj, AVisualMeshMayMixThreeAndSix) {
-    EXPECT_EQ(obj_message("v 0 0 0\nv 1 0 0 0 0 0\nf 1 2 1\n", Purpose::visual), "");
-    EXPECT_TRUE(contains(obj_message("v 0 0 0 1\n", Purpose::visual), "line 1"));
+TEST(PrescanObj, AVisualMeshMayMixAllFormsOfPaint) {
+    const std::string text = "o a\nv 0 0 0\nv 1 0 0 0 red 0\nv 1 2 3 0 0 0 1\nv 4 5 6 1.0\nf 1 2 \\\n3\n";
+    const Prescan scan = prescan_obj(text, Purpose::visual);
+    EXPECT_EQ(scan.surface_only, "o a\nv 0 0 0\nv 1 0 0\nv 1 2 3\nv 4 5 6\nf 1 2  3\n");
+    EXPECT_EQ(scan.positions.size(), 4u);
+    EXPECT_EQ(prescan_obj("v 0 0 0\nf 1 1 1\n", Purpose::visual).surface_only, "") << "read as it is";
+    EXPECT_TRUE(contains(obj_message("v 0 0 0 2\n", Purpose::visual), "line 1")) << "a weight is no paint";
+    EXPECT_TRUE(contains(obj_message("v 0 0 0 1 1\n", Purpose::visual), "line 1"));
+    EXPECT_TRUE(contains(obj_message(text), "line 3: a `v` line of 6"));
+}
+
+TEST(PrescanObj, RefusesColoursThatAssimpReadsAsSomethingElse) {
+    const auto red = [](const std::string& word) { return obj_message("v 0 0 0 " + word + " 1 1\nf 1 1 1\n"); };
+    for (const char* word : {"0", "0.5", "+1", "1e-3", "nan", "-nan(ind)", "255"}) EXPECT_EQ(red(word), "") << word;
+    for (const char* word : {"-1.#IND", "1.#QNAN", "red", "0x0", "1,5"})
+        EXPECT_TRUE(contains(red(word), "line 1: the colour '")) << word;
+    EXPECT_TRUE(contains(obj_message("v 0 0 0 1 1 x\nf 1 1 1\n"), "line 1: the colour 'x'"));
+}
+
+TEST(PrescanObj, CountsPolypaint) {
+    EXPECT_EQ(prescan_obj("v 0 0 0\nv 1 0 0\n#MRGB ff000000ffffffff\n#MRGB ff0000\nf 1 2 1\n", Purpose::shell)
+                  .unread.polypaint,
+              2u);
 }
 
 TEST(PrescanObj, CountsLinesThroughContinuationsCommentsAndCarriageReturns) {
@@ -100,12 +122,12 @@ TEST(PrescanPly, AcceptsWhatIsComplete) {
 }
 
 TEST(PrescanPly, RefusesPaintWhoseZeroTheReaderLoses) {
-    for (const std::string type : {"char", "int8", "short", "int16", "int", "int32"}) {
+    for (const std::string type : {"char", "int8", "short", "int16", "int", "int32", "uint", "uint32"}) {
         const std::string file = ply("element vertex 1\n" + xyz + "property " + type + " red\n", "0 0 0 0\n");
-        EXPECT_TRUE(contains(ply_message(file), "'red' is of a signed type")) << type;
+        EXPECT_TRUE(contains(ply_message(file), "line 8: the vertex colour 'red' is of a ")) << type;
         EXPECT_EQ(ply_message(file, Purpose::visual), "") << type;
     }
-    for (const std::string type : {"uchar", "ushort", "uint", "float", "double"})
+    for (const std::string type : {"uchar", "ushort", "float", "double"})
         EXPECT_EQ(ply_message(ply("element vertex 1\n" + xyz + "property " + type + " red\n", "0 0 0 0\n")), "")
             << type;
 }
@@ -114,11 +136,13 @@ TEST(PrescanPly, RefusesPaintUnderAnotherName) {
     const auto named = [](const std::string& name) {
         return ply("element vertex 1\n" + xyz + "property uchar " + name + "\n", "0 0 0 0\n");
     };
-    for (const std::string name : {"Red", "RED", "R", "diffuse_red", "vertex_color", "rgb", "red_"}) {
-        EXPECT_TRUE(contains(ply_message(named(name)), "'" + name + "' looks like a colour")) << name;
+    for (const std::string name : {"Red", "RED", "R", "diffuse_red", "vertex_color", "rgb", "red_", "scalar_Rgb"}) {
+        EXPECT_TRUE(
+            contains(ply_message(named(name)), "line 8: the vertex property '" + name + "' looks like a colour"))
+            << name;
         EXPECT_EQ(ply_message(named(name), Purpose::visual), "") << name;
     }
-    for (const std::string name : {"red", "r", "intensity", "reduced", "radius"})
+    for (const std::string name : {"red", "r", "intensity", "reduced", "radius", "color_index", "red_id"})
         EXPECT_EQ(ply_message(named(name)), "");
     EXPECT_TRUE(contains(ply_message(named("red\nproperty uchar red")), "both 'red' and then 'red'"));
     EXPECT_TRUE(contains(ply_message(named("red\nproperty uchar r")), "both 'red' and then 'r'"));
@@ -136,6 +160,78 @@ TEST(PrescanPly, RefusesNumbersOfTextThatDoNotFitTheirType) {
     EXPECT_EQ(red("float", "-1"), "");
     for (const std::string value : {"-1", "256", "300", "0.5", "nan", "1e9"})
         EXPECT_TRUE(contains(red("uchar", value), "line 11: '" + value + "' in vertex 1 does not fit")) << value;
+}
+
+TEST(PrescanPly, AVisualMeshMayBePaintedInAnyWay) {
+    for (const char* color : {"char red", "list uchar uchar red", "uchar red\nproperty uchar r", "float rgb"}) {
+        const std::string header = "element vertex 1\n" + xyz + "property " + color + "\n";
+        EXPECT_EQ(ply_message(ply(header, "0 0 0 1 -1.#IND\n"), Purpose::visual), "") << color;
+        EXPECT_NE(ply_message(ply(header, "0 0 0 1 -1.#IND\n")), "") << color;
+    }
+    const Prescan scan =
+        prescan_ply(ply("element vertex 1\n" + xyz + "property uchar red\n", "0 0 0 0\n"), Purpose::visual);
+    EXPECT_TRUE(scan.reds.empty());
+    EXPECT_FALSE(contains(scan.surface_only, "red"));
+}
+
+TEST(PrescanPly, ReadsElementsInAnyOrderAndAnyTypes) {
+    const std::string camera = "element camera 1\nproperty float view_px\nproperty list uchar int more\n";
+    const std::string face = "element face 1\nproperty uchar flags\n" + faces;
+    const std::string vertex =
+        "element vertex 3\nproperty uchar flags\nproperty double z\nproperty int y\nproperty float x\n"
+        "property ushort red\nproperty float quality\n";
+    const std::string rows = "-1 1 2 3 0 -1.#IND\n1.5 4 5 6 65535 nan\nx 7 8 9 13107 ?\n";
+    const Prescan scan = prescan_ply(ply(camera + face + vertex, "0.5 2 7 -8\n-1 3 0 1 2\n" + rows), Purpose::shell);
+    ASSERT_EQ(scan.positions.size(), 3u);
+    EXPECT_EQ(scan.positions[1], (Vec3f{6, 5, 4}));
+    EXPECT_EQ(scan.reds, (std::vector<float>{0, 1, 13107.0f / 65535.0f}));
+    EXPECT_EQ(scan.expected_triangles, 1u);
+    EXPECT_TRUE(contains(scan.surface_only, "element vertex 3\nproperty float x\n"));
+    EXPECT_FALSE(contains(scan.surface_only, "camera"));
+}
+
+TEST(PrescanPly, ForgivesBlanksBehindTheLinesOfTheHeader) {
+    const std::string text = "ply \nformat ascii 1.0 \t\r\nelement vertex 1 \n" + xyz + "end_header  \r\n1 2 3\n";
+    EXPECT_EQ(prescan_ply(text, Purpose::shell).positions.at(0), (Vec3f{1, 2, 3}));
+    EXPECT_TRUE(contains(ply_message("ply\rformat ascii 1.0\rend_header\r"), "line feeds"));
+    EXPECT_TRUE(contains(ply_message("plywood\n"), "the word ply is missing"));
+}
+
+TEST(PrescanPly, ReadsWhatOldLibrariesPrintForWhatIsNoNumber) {
+    const auto red = [](const std::string& word) {
+        return prescan_ply(ply("element vertex 1\n" + xyz + "property float red\n", "0 0 0 " + word + "\n"),
+                           Purpose::shell)
+            .reds.at(0);
+    };
+    for (const char* word : {"-1.#IND", "1.#QNAN", "-1.#IND00", "1.#SNAN", "nan", "-nan(ind)"})
+        EXPECT_TRUE(std::isnan(red(word))) << word;
+    EXPECT_EQ(red("-1.#INF"), -std::numeric_limits<float>::infinity());
+    EXPECT_TRUE(contains(ply_message(ply("element vertex 1\n" + xyz, "0 -1.#IND 0\n")), "coordinate y of vertex 0"));
+    EXPECT_TRUE(contains(ply_message(ply("element vertex 1\n" + xyz, "0 -1.#IDEA 0\n")), "line 9: '-1.#IDEA'"));
+}
+
+TEST(PrescanPly, CountsFacesThatHaveAColour) {
+    const auto colored = [](const std::string& property) {
+        const std::string header =
+            "element vertex 1\n" + xyz + "element face 1\n" + faces + "property " + property + "\n";
+        return prescan_ply(ply(header, "0 0 0\n3 0 0 0 1\n"), Purpose::shell).unread.colored_faces;
+    };
+    EXPECT_EQ(colored("uchar red"), 1u);
+    EXPECT_EQ(colored("float diffuse_red"), 1u);
+    EXPECT_EQ(colored("int material_index"), 0u);
+}
+
+TEST(PrescanPly, RefusesElementsThatAreNoSurface) {
+    EXPECT_TRUE(
+        contains(ply_message(ply("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n")), "x, y and z"));
+    EXPECT_TRUE(contains(ply_message(ply("element vertex 1\nproperty list uchar float x\n", "0\n")), "'x' is a list"));
+    EXPECT_TRUE(contains(ply_message(ply("element vertex 1\n" + xyz + "property float x\n", "0 0 0 0\n")), "both 'x'"));
+    EXPECT_TRUE(
+        contains(ply_message(ply("element vertex 0\n" + xyz + "element vertex 1\n" + xyz, "0 0 0\n")), "twice"));
+    EXPECT_TRUE(
+        contains(ply_message(ply("element vertex 1\n" + xyz + "element face 1\nproperty list uchar int corners\n",
+                                 "0 0 0\n3 0 0 0\n")),
+                 "no list 'vertex_indices'"));
 }
 
 TEST(PrescanPly, CountsWhatFollowsTheLastElement) {
@@ -227,7 +323,27 @@ TEST(PrescanOff, RefusesNumbersTheFirstLineDoesNotAnnounce) {
         EXPECT_TRUE(contains(off_message(file(keyword, " 0 0 1 255 0 0 255")), "programs disagree")) << keyword;
     EXPECT_TRUE(contains(off_message(file("XOFF", "")), "no word of OFF"));
     EXPECT_TRUE(contains(off_message("OFF BINARY\n"), "binary OFF"));
-    EXPECT_EQ(message_of([&] { (void)prescan_off(file("OFF", " 255 0 0"), Purpose::visual); }), "");
+}
+
+TEST(PrescanOff, AVisualMeshMayBePaintedInAnyWay) {
+    for (const auto& [keyword, more] : {std::pair<std::string, std::string>{"OFF", " 255 0 0"},
+                                        {"COFF", ""},
+                                        {"COFF", " x"},
+                                        {"CNOFF", " 1 2 3 4 5 6 7"}}) {
+        const Prescan scan =
+            prescan_off(keyword + "\n3 1 0\n0 0 0.1" + more + "\n1 0 0\n-1e-9 1 0 1\n3 0 1 2 1 0 0\n", Purpose::visual);
+        EXPECT_EQ(scan.surface_only, "OFF\n3 1 0\n0 0 0.1\n1 0 0\n-1e-09 1 0\n3 0 1 2\n") << keyword;
+        EXPECT_TRUE(scan.reds.empty());
+    }
+    EXPECT_NE(message_of([] { (void)prescan_off("4OFF\n1 0 0\n0 0 0 0\n", Purpose::visual); }), "");
+    EXPECT_NE(message_of([] { (void)prescan_off("OFF\n1 0 0\n0 0\n", Purpose::visual); }), "");
+}
+
+TEST(PrescanOff, CountsFacesThatHaveAColour) {
+    const Prescan scan =
+        prescan_off("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0 # red\n3 0 2 1 # none\n", Purpose::shell);
+    EXPECT_EQ(scan.unread.colored_faces, 1u);
+    EXPECT_EQ(scan.surface_only, "");
 }
 
 TEST(PrescanGltf, RefusesOtherVersionsAndDamage) {
@@ -287,6 +403,58 @@ TEST(PrescanGltf, RefusesWhatWouldBeReadAsNoise) {
         "not three floats"));
     EXPECT_TRUE(contains(gltf_message(mesh(R"({"componentType": 5126, "type": "VEC3", "count": 3}, )" + color + "3}")),
                          "without a buffer"));
+}
+
+TEST(PrescanGltf, KnowsWhichExtensionsLeaveTheSurfaceAlone) {
+    for (const char* name : {"KHR_texture_transform", "KHR_materials_unlit", "KHR_lights_punctual", "KHR_xmp_json_ld",
+                             "KHR_animation_pointer", "EXT_mesh_features", "EXT_structural_metadata",
+                             "MSFT_packing_normalRoughnessMetallic", "MSFT_lod", "AGI_articulations"}) {
+        const Prescan scan = prescan_gltf(gltf(std::string(R"("extensionsRequired": [")") + name + "\"]"));
+        EXPECT_EQ(scan.extensions, std::vector<std::string>{name});
+    }
+    for (const char* name : {"KHR_draco_mesh_compression", "KHR_mesh_quantization", "EXT_meshopt_compression",
+                             "EXT_mesh_gpu_instancing", "KHR_gaussian_splatting", "KHR_", ""}) {
+        EXPECT_TRUE(contains(gltf_message(gltf(std::string(R"("extensionsRequired": [")") + name + "\"]")), name))
+            << name;
+        EXPECT_NE(gltf_message(gltf(std::string(R"("extensionsRequired": [")") + name + "\"]")), "") << name;
+    }
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("extensionsRequired": [7])")), "no text"));
+}
+
+TEST(PrescanGltf, ChoosesTheSceneThatIsRead) {
+    const std::string nodes =
+        R"("nodes": [{"mesh": 0}, {"children": [2]}, {"mesh": 0}], "meshes": [{"primitives": []}])";
+    const auto scan = [&](const std::string& scenes) { return prescan_gltf(gltf(scenes + nodes)); };
+    EXPECT_EQ(scan(R"("scenes": [{"nodes": [0, 1]}], )").unread.nodes, 0u);
+    EXPECT_EQ(scan(R"("scenes": [{"nodes": [1]}, {"nodes": [0]}], )").unread.nodes, 1u);
+    EXPECT_EQ(scan(R"("scene": 1, "scenes": [{"nodes": [1]}, {}], )").unread.nodes, 2u);
+    EXPECT_TRUE(contains(scan(R"("scenes": [{"nodes": [1]}], )").surface_only, R"("scene":0)"));
+    const Prescan none = scan("");
+    EXPECT_EQ(none.unread.nodes_of_no_scene, 2u);
+    EXPECT_EQ(none.unread.nodes, 0u);
+    EXPECT_TRUE(contains(none.surface_only, R"("scenes":[{"nodes":[0,1]}])")) << none.surface_only;
+    const Prescan library = prescan_gltf(gltf(R"("meshes": [{"primitives": []}, {"primitives": []}])"));
+    EXPECT_EQ(library.unread.nodes_of_no_scene, 2u);
+    EXPECT_TRUE(contains(library.surface_only, R"("nodes":[{"mesh":0},{"mesh":1}])")) << library.surface_only;
+}
+
+TEST(PrescanGltf, RefusesScenesOfNodesThatAreNotThere) {
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scene": 1, "scenes": [{}])")), "scene 1 is not there"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scene": 1)")), "scene 1 is not there"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scene": -1, "scenes": [{}])")), "scene is not a size"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [{"nodes": [0]}])")), "scene 0 has a node that is not there"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [{"nodes": [0, 0]}], "nodes": [{}])")), "node 0 twice"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [7])")), "scenes is not an object"));
+}
+
+TEST(PrescanGltf, AVisualMeshMayBePaintedInAnyWay) {
+    const std::string text = gltf(R"("buffers": [{"byteLength": 36, "uri": "a.bin"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3},
+                      {"componentType": 5121, "type": "VEC4", "count": 2}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
+    EXPECT_NE(gltf_message(text), "");
+    EXPECT_FALSE(contains(prescan_gltf(text, Purpose::visual).surface_only, "COLOR_0"));
 }
 
 TEST(PrescanGltf, RefusesNodesAboveThemselvesAndJsonWithoutBottom) {

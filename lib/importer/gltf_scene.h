@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which nodes of a glTF file are read: those of the scene it says, of its first one, or all of them where it has none.
+#pragma once
+#include "importer/gltf_document.h"
+#include "importer/scene.h"
+
+namespace crumple::importer::gltf {
+
+// A node has one parent at most, none is above itself, and scenes name nodes that are there. Throws Error(bad_input).
+void check_nodes(const Json& document);
+
+// Makes the document say which scene is read, and tells which nodes with a mesh are outside it. REQUIRES: check_nodes.
+void choose_scene(Json& document, Unread& unread);
+
+}
