@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crumple export
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <span>
 
@@ -8,6 +9,7 @@
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/verbs.h"
+#include "pipeline/bundle_gates.h"
 #include "pipeline/export_mesh.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
@@ -59,12 +61,23 @@ std::vector<Target> targets_of(const ExportFlags& flags) {
     return targets;
 }
 
+// A blob carries no record of gates: whoever ships it would not learn that they refused it.
+void warn_of_gates(const std::vector<std::byte>& image, const ExportFlags& flags, const Console& console) {
+    const std::string gates = pipeline::run_text_in_child(
+        [&] { return pipeline::refused_by(pipeline::read_work_image(image, flags.input)); }, flags.input);
+    if (gates.empty()) return;
+    console.talk("warning: " + report::printable(flags.input) + ": quality gates refused this bundle (" +
+                 report::printable(gates) + "); the blob does not say so, see crumple check\n");
+}
+
 int run_export(const ExportFlags& flags, const Console& console) {
     const std::vector<Target> targets = targets_of(flags);
     std::vector<OutputPath> outputs;
     for (const Target& target : targets) outputs.push_back({target.option, target.path});
     check_output_paths(outputs, {flags.input});
     const std::vector<std::byte> image = store::read_file(flags.input);
+    const auto is_blob = [](const Target& target) { return target.format == ExportFormat::blob; };
+    if (std::any_of(targets.begin(), targets.end(), is_blob)) warn_of_gates(image, flags, console);
     for (const Target& target : targets) {
         const std::string text = pipeline::run_text_in_child(
             [&] { return pipeline::export_work(pipeline::read_work_image(image, flags.input), target.format); },

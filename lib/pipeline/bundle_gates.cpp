@@ -43,6 +43,15 @@ std::optional<ToldGates> told_gates(const std::vector<StageRecord>& records) {
     return told;
 }
 
+std::string refused_by(const Workspace& work) {
+    const std::optional<ToldGates> told = told_gates(work.records);
+    std::string codes;
+    for (const Finding& finding : told ? told->report.findings : std::vector<Finding>()) {
+        if (finding.severity == Severity::error) codes += (codes.empty() ? "" : ", ") + finding.code;
+    }
+    return codes;
+}
+
 GateCheck check_gates(const Workspace& work) {
     GateCheck check;
     std::optional<ToldGates> told = told_gates(work.records);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gates asked of what a workspace holds: by the stage `gates` when it is cooked, and again by `check`.
 #pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "gates/gates.h"
 #include "pipeline/workspace.h"
 
@@ -24,6 +28,9 @@ struct GateCheck {
 
 // REQUIRES: the workspace has a bundle, and it is valid.
 [[nodiscard]] GateCheck check_gates(const Workspace& workspace);
+
+// The codes of the gates that refused it when it was cooked, joined by ", "; empty when none did, or none was asked.
+[[nodiscard]] std::string refused_by(const Workspace& workspace);
 
 // What the stage told when the file was cooked; null when it did not run, or in another version.
 struct ToldGates {

@@ -77,10 +77,12 @@ FileCheck check_image(std::vector<std::byte> image, const std::string& name) {
     const Workspace work = read_work_image(std::move(image), name);
     if (work.bundle) check.problems = check_provenance(work);
     if (stop_at_problems(check)) return check;
-    if (work.bundle)
+    if (work.bundle) {
         ask_gates(work, from_blob, check);
-    else if (work.tets)
+        for (Finding& finding : tell_of_newer(work.bundle->provenance)) check.findings.push_back(std::move(finding));
+    } else if (work.tets) {
         measure_tets(*work.tets, check);
+    }
     for (const StageRecord& record : work.records) {
         std::vector<Finding> findings = findings_in(record);
         if (!findings.empty()) check.stages.push_back({record.name, std::move(findings)});

@@ -24,6 +24,14 @@ class Rejected(program.Case):
         self.assertIn("steel", process.stderr)
         self.assertIn("painted vertex", process.stderr)
 
+    def test_exported_as_a_blob_it_warns_of_its_gates(self):
+        self.fails(self.cook(*STRICT), 4)
+        process = self.ok(program.run("export", self.rejected, "--blob", self.path("car.blob")))
+        self.assertIn("warning", process.stderr)
+        self.assertIn("refused this bundle (GATE_MIN_DIHEDRAL)", process.stderr)
+        self.ok(self.cook())
+        self.assertNotIn("warning", self.ok(program.run("export", self.output, "--blob", self.path("car.blob"))).stderr)
+
     def test_where_there_was_no_output_there_is_none(self):
         self.fails(self.cook(*STRICT), 4)
         self.assertFalse(self.output.exists())

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/check.h"
 #include "pipeline/small_work.h"
 #include "pipeline/work_file.h"
@@ -59,4 +61,30 @@ TEST(CheckProvenance, WithoutARecordTheRecipeMustStillBeJson) {
     EXPECT_TRUE(check_provenance(work).empty());
     work.bundle->provenance.recipe = "{";
     EXPECT_EQ(check_provenance(work).size(), 1u);
+}
+
+TEST(CheckProvenance, TheToolVersionIsOne) {
+    using Provenance = crumple::BundleProvenance;
+    for (const char* version :
+         {"", "1", "1.2", "1.2.", "1.2.3.4", "1.2.x", "v1.2.3", "1.2.3-", "1.2.3 ", "-1.2.3", "1..3"}) {
+        EXPECT_NE(complaint_of([&](Provenance& p) { p.tool_version = version; }).find("is none"), std::string::npos)
+            << version;
+    }
+    for (const char* version : {"0.0.1", "1.2.3", "99.0.0-rc.1+build"})
+        EXPECT_EQ(complaint_of([&](Provenance& p) { p.tool_version = version; }), "0 findings") << version;
+}
+
+TEST(CheckProvenance, ANewerProgramsBundleIsReadAndSaysSo) {
+    Workspace work = small_work::cooked();
+    const auto says_newer = [&] {
+        const auto check = check_image(work_image(work, {}), "a.hdf");
+        EXPECT_NE(check.exit_code, 7);
+        return std::any_of(check.findings.begin(), check.findings.end(),
+                           [](const crumple::Finding& f) { return f.code == "BUNDLE_NEWER"; });
+    };
+    EXPECT_FALSE(says_newer());
+    work.bundle->provenance.tool_version = "99.0.0";
+    EXPECT_TRUE(says_newer());
+    work.bundle->provenance.tool_version = "0.0.0";
+    EXPECT_FALSE(says_newer());
 }
