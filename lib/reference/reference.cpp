@@ -109,14 +109,15 @@ void add_elastic_force(const Bundle& b, std::size_t tet, const Matrix3d& r, cons
 
 Matrix3d deviator(const Matrix3d& strain) { return strain - strain.trace() / 3 * Matrix3d::Identity(); }
 
-// eps_p + c (1 - y / |d|) d with d the deviatoric elastic strain.
+// eps_p + c dt / (1 + c dt) (1 - y / |d|) d with d the deviatoric elastic strain and c the creep.
 Matrix3d flowed(const Body& body, std::size_t tet, const Matrix3d& strain, double dt) {
     const Material& m = body.bundle->materials[body.bundle->material[tet]];
     const double yield = std::sqrt(2.0 / 3) * m.yield_pa / (2 * lame_of(*body.bundle, tet).mu);
     const Matrix3d before = eigen(body.plastic[tet]);
     const Matrix3d d = deviator(strain);
     if (d.norm() <= yield) return before;
-    Matrix3d p = before + (1 - std::exp(-m.creep_per_s * dt)) * (1 - yield / d.norm()) * d;
+    const double flow = m.creep_per_s * dt;
+    Matrix3d p = before + flow / (1 + flow) * (1 - yield / d.norm()) * d;
     if (p.norm() > m.max_plastic_strain) p *= m.max_plastic_strain / p.norm();
     return p;
 }
