@@ -144,6 +144,7 @@ public:
     }
 
     void measure(Run& run) const {
+        run.driven_inside_out = count_driven_inside_out();
         const Box box = box_of(bundle_);
         const Resting resting = rides_ ? Resting{} : find_resting();
         for (std::size_t n = 0; n < model_.node_count; ++n) {
@@ -189,6 +190,21 @@ private:
         const solver::Mat3 turn = rotation_svd_smallest(narrow, solver::Mat3::identity());
         for (std::size_t i = 0; i < 9; ++i) r.turn.m[i] = static_cast<double>(turn.m[i]);
         return r;
+    }
+    // Tets that handles turn inside out against each other or against locked nodes.
+    [[nodiscard]] std::uint32_t count_driven_inside_out() const {
+        if (handles_.empty()) return 0;
+        std::vector<std::uint8_t> is_driven = bundle_.locked;
+        for (const auto& handle : handles_) {
+            for (const Index n : handle->nodes) is_driven[n] = 1;
+        }
+        std::uint32_t count = 0;
+        for (std::size_t t = 0; t < model_.tet_count; ++t) {
+            const Tet& tet = bundle_.tets[t];
+            const bool is_all_driven = std::all_of(tet.begin(), tet.end(), [&](Index n) { return is_driven[n] != 0; });
+            count += is_all_driven && determinant(deformation_gradient(model_, state_, t)) <= 0;
+        }
+        return count;
     }
     // Without a rigid body to ride on the nodes themselves move.
     void start_moving() {
@@ -281,6 +297,14 @@ void add_findings(Run& run) {
     if (run.inverted_at_end > 0) {
         run.findings.push_back(
             {"RUN_INVERTED", Severity::warning, "tets are inside out at the end", run.inverted_at_end, {}});
+    }
+    if (run.driven_inside_out > 0) {
+        run.findings.push_back({"RUN_HANDLES_CROSS",
+                                Severity::warning,
+                                "of these tets have no free node: handles move them through each other or through "
+                                "locked nodes; move the handles less or give them smaller boxes",
+                                run.driven_inside_out,
+                                {}});
     }
 }
 

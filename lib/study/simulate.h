@@ -48,6 +48,7 @@ struct Run {
     // locked.
     double deepest_dent_m = 0;
     std::uint32_t inverted_at_end = 0;
+    std::uint32_t driven_inside_out = 0;  // of these, without a free node: handles cross each other or locked nodes
     std::uint32_t steps = 0;
     std::uint32_t warned_steps = 0;
     StepTimes times;  // of steps without drawing; no part of any file
