@@ -83,38 +83,33 @@ inline std::uint32_t finish_rows(const RowJob& job, std::size_t begin, std::size
     return raised;
 }
 
-// Which lanes of a slice have any freedom.
-inline unsigned free_rows(const std::uint8_t* is_fixed, const Index* node) {
-    unsigned rows = 0;
-    for (std::size_t l = 0; l < slice_rows; ++l) rows |= (is_fixed[node[l]] ? 0u : 1u) << l;
-    return rows;
+inline bool is_all_fixed(const std::uint8_t* is_fixed, const Index* node) {
+    std::size_t l = 0;
+    while (l < slice_rows && is_fixed[node[l]]) ++l;
+    return l == slice_rows;
 }
 
+// Rows without freedom are left out where they fill a slice; elsewhere nobody asks what they hold.
 inline void multiply(const SolveJob& job, std::size_t begin, std::size_t end) {
     // What is read through `job` in the loop would be read again after every store.
     const float* const direction = job.direction;
+    float* const product = job.product;
     const Index* const start = job.start;
     for (std::size_t slice = begin / slice_rows; slice * slice_rows < end; ++slice) {
         const Index* const node = job.node + slice_rows * slice;
-        const unsigned is_free = free_rows(job.is_fixed, node);
         // A sum for each element, or every addition would wait for the one before.
         Eight sum[9];
         for (Eight& element : sum) element = Eight::all(0);
-        const std::size_t last = is_free ? start[slice + 1] : start[slice];
+        const std::size_t last = is_all_fixed(job.is_fixed, node) ? start[slice] : start[slice + 1];
         for (std::size_t group = start[slice]; group < last; ++group) {
             const float* const block = job.blocks + group_floats * group;
             Eight x[3];
             gather3(direction, job.column + slice_rows * group, x[0], x[1], x[2]);
             for (std::size_t i = 0; i < 9; ++i) sum[i] = fma(Eight::load(block + slice_rows * i), x[i / 3], sum[i]);
         }
-        float* const product = job.product;
         scatter4([&](std::size_t l) { return product + 4 * static_cast<std::size_t>(node[l]); },
                  sum[0] + sum[3] + sum[6], sum[1] + sum[4] + sum[7], sum[2] + sum[5] + sum[8], Eight::all(0));
-        for (std::size_t l = 0; is_free != 0xff && l < slice_rows; ++l) {
-            if (is_free >> l & 1u) continue;
-            for (std::size_t i = 0; i < 4; ++i) product[4 * static_cast<std::size_t>(node[l]) + i] = 0;
-        }
     }
 }
 
-}  // namespace crumple::solver::CRUMPLE_LANES
+}

@@ -43,6 +43,25 @@ inline void dot_modes(const ModeJob& job, std::size_t begin, std::size_t end, fl
     for (std::size_t m = 0; m < 8; ++m) sums[m] = sum[m];
 }
 
+inline void mode_energies(const ModeJob& job, std::size_t begin, std::size_t end, float* sums) {
+    Eight sum[6];
+    for (Eight& row : sum) row = Eight::all(0);
+    for (std::size_t node = begin; node < end; ++node) {
+        const float* const row = job.rows + mode_floats * node;
+        const Eight ax = Eight::load(row), ay = Eight::load(row + 8), az = Eight::load(row + 16);
+        const Eight x = Eight::all(job.positions[4 * node]);
+        const Eight y = Eight::all(job.positions[4 * node + 1]);
+        const Eight z = Eight::all(job.positions[4 * node + 2]);
+        sum[0] = sum[0] + ax;
+        sum[1] = sum[1] + ay;
+        sum[2] = sum[2] + az;
+        sum[3] = fma(y, az, fnma(z, ay, sum[3]));
+        sum[4] = fma(z, ax, fnma(x, az, sum[4]));
+        sum[5] = fma(x, ay, fnma(y, ax, sum[5]));
+    }
+    for (std::size_t r = 0; r < 6; ++r) sum[r].store(sums + 8 * r);
+}
+
 inline void subtract_motion(const ModeJob& job, const RigidField& field, std::size_t begin, std::size_t end) {
     const Quads fixed = Quads::load(field.constant);
     const Quads by_x = Quads::load(field.by_x);

@@ -86,6 +86,7 @@ struct SolveJob {
 
 // The rigid motions of the whole, see rigid_modes.h. Over nodes.
 inline constexpr std::size_t mode_floats = 24;  // three axes of six columns and two zeros
+inline constexpr std::size_t mode_sums = 48;    // six rows of six columns and two zeros
 struct ModeJob {
     const Index* node;  // see Slices
     const Index* start;
@@ -136,8 +137,9 @@ struct Kernels {
     double (*descend)(const SolveJob&, float a, std::size_t begin, std::size_t end);  // dv += a p ...: r . z
     void (*turn)(const SolveJob&, float b, std::size_t begin, std::size_t end);       // p = z + b p
     void (*skin)(const SkinJob&, std::size_t begin, std::size_t end);
-    void (*multiply_modes)(const ModeJob&, std::size_t begin, std::size_t end);          // A Z
-    void (*dot_modes)(const ModeJob&, std::size_t begin, std::size_t end, float* sums);  // (A Z)^T z: 8 sums
+    void (*multiply_modes)(const ModeJob&, std::size_t begin, std::size_t end);              // A Z
+    void (*dot_modes)(const ModeJob&, std::size_t begin, std::size_t end, float* sums);      // (A Z)^T z: 8 sums
+    void (*mode_energies)(const ModeJob&, std::size_t begin, std::size_t end, float* sums);  // Z^T (A Z): mode_sums
     void (*subtract_motion)(const ModeJob&, const RigidField&, std::size_t begin, std::size_t end);  // p -= Z mu
 };
 

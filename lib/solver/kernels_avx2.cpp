@@ -20,8 +20,9 @@
 namespace crumple::solver {
 
 const Kernels avx2_kernels = {
-    avx2::step_elements, avx2::elastic_energies, avx2::extract_rotations, avx2::gather_loads, avx2::assemble_edges,
-    avx2::finish_rows,   avx2::multiply,         avx2::product_dot,       avx2::start,        avx2::descend,
-    avx2::turn,          avx2::skin_vertices,    avx2::multiply_modes,    avx2::dot_modes,    avx2::subtract_motion};
+    avx2::step_elements,  avx2::elastic_energies, avx2::extract_rotations, avx2::gather_loads, avx2::assemble_edges,
+    avx2::finish_rows,    avx2::multiply,         avx2::product_dot,       avx2::start,        avx2::descend,
+    avx2::turn,           avx2::skin_vertices,    avx2::multiply_modes,    avx2::dot_modes,    avx2::mode_energies,
+    avx2::subtract_motion};
 
 }

@@ -33,6 +33,7 @@ const Kernels avx512_kernels = {avx512::step_elements,
                                 avx512::skin_vertices,
                                 avx512::multiply_modes,
                                 avx512::dot_modes,
+                                avx512::mode_energies,
                                 avx512::subtract_motion};
 
 }

@@ -33,6 +33,7 @@ const Kernels scalar_kernels = {scalar::step_elements,
                                 scalar::skin_vertices,
                                 scalar::multiply_modes,
                                 scalar::dot_modes,
+                                scalar::mode_energies,
                                 scalar::subtract_motion};
 
 }

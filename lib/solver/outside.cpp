@@ -9,8 +9,6 @@ namespace {
 // Corners of the faces opposite to corners 0..3, counter-clockwise from outside in a positive tet.
 constexpr std::size_t face_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-bool is_zero(Vec3f a) { return a == Vec3f{}; }
-
 struct Face {
     Index node[3];
     float mass;
@@ -41,19 +39,9 @@ Vec3f wind_force(const State& state, const Face& face, const Wind& wind, float d
 
 }
 
-Vec3f outside_force(const Model& model, const State& state, const StepInput& input, std::size_t node) {
-    const float mass = model.bundle.mass[node];
-    Vec3f push = input.gravity * mass;
-    if (!input.forces.empty()) push += input.forces[node];
-    const Vec3f turn = input.frame_turn;
-    if (is_zero(turn) && is_zero(input.frame_turn_rate)) return push;
-    const Vec3f x = position(state, node);
-    const Vec3f inertia = cross(input.frame_turn_rate, x) + cross(turn, cross(turn, x) + velocity(state, node) * 2.0f);
-    return push - inertia * mass;
-}
-
 Six outside_push(const Model& model, const State& state, const StepInput& input, const WindPush& wind) {
     Six push = wind.push;
+    if (!is_pushed(input)) return push;
     for (std::size_t node = 0; node < model.node_count; ++node) {
         const Vec3 force = widen(outside_force(model, state, input, node));
         add_to(push, static_cast<double>(input.dt), push_at(widen(position(state, node)), force));

@@ -8,7 +8,23 @@ namespace crumple::solver {
 
 // Newtons on a node, without wind. A frame that turns at w, faster by w' a second, adds -m (w' x r + w x (w x r) +
 // 2 w x v); gravity already holds what its acceleration adds.
-[[nodiscard]] Vec3f outside_force(const Model& model, const State& state, const StepInput& input, std::size_t node);
+[[nodiscard]] inline Vec3f outside_force(const Model& model, const State& state, const StepInput& input,
+                                         std::size_t node) {
+    const float mass = model.bundle.mass[node];
+    Vec3f push = input.gravity * mass;
+    if (!input.forces.empty()) push += input.forces[node];
+    const Vec3f turn = input.frame_turn;
+    if (turn == Vec3f{} && input.frame_turn_rate == Vec3f{}) return push;
+    const Vec3f x = position(state, node);
+    const Vec3f inertia = cross(input.frame_turn_rate, x) + cross(turn, cross(turn, x) + velocity(state, node) * 2.0f);
+    return push - inertia * mass;
+}
+
+// Whether it is anything but 0 anywhere.
+[[nodiscard]] inline bool is_pushed(const StepInput& input) {
+    return !input.forces.empty() || !(input.gravity == Vec3f{}) || !(input.frame_turn == Vec3f{}) ||
+           !(input.frame_turn_rate == Vec3f{});
+}
 
 // What all of that, and wind, does to the momentum of the nodes in this step, N s and N m s about the origin.
 struct WindPush;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/constraints.h"
 
@@ -16,11 +17,13 @@ Mat3d wide_block(const Workspace& w, std::size_t number) {
     return a;
 }
 
-// The part of a carried node's row of A that belongs to nodes that are not carried.
-RowMotion free_part_of(const Model& model, const Workspace& w, Index node) {
-    RowMotion row;
+// The part of a carried node's row of A that belongs to nodes that are not carried, where there are any.
+std::optional<RowMotion> free_part_of(const Model& model, const Workspace& w, Index node) {
+    std::optional<RowMotion> row;
     for_row(model.slices, node, [&](Index other, std::size_t number) {
-        if (!is_carried(model, w, other)) row.add(wide_block(w, number), widen(model.bundle.rest_positions[other]));
+        if (is_carried(model, w, other)) return;
+        if (!row) row.emplace();
+        row->add(wide_block(w, number), widen(model.bundle.rest_positions[other]));
     });
     return row;
 }
@@ -37,7 +40,7 @@ RigidLocks make_rigid_locks(const Model& model, const Workspace& w, double carri
         const Vec3 x = widen(model.bundle.rest_positions[i]);
         // Rows of K give nothing for a rigid motion of all, so the locked part of a row is the mass minus the rest.
         carried.add(static_cast<double>(w.damped_mass[i]), x);
-        add_row(mine, x, free_part_of(model, w, i), -1);
+        if (const auto row = free_part_of(model, w, i)) add_row(mine, x, *row, -1);
     }
     if (!rigid.is_active) return rigid;
     const double more = std::isfinite(carrier_mass) ? std::max(0.0, carrier_mass / model.rest_mass.mass() - 1) : 0;

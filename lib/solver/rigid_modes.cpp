@@ -37,34 +37,35 @@ void add_taken(const Model& model, const State& state, Workspace& w, const Parti
     });
 }
 
-// sums += Z^T (row of A Z), eight lanes a mode
-void add_energy(const Columns& at, const float* row, float (&sums)[6][8]) {
+// energy += s Z^T (row of A Z)
+void add_energy(const Columns& at, const float* row, float s, Matrix6& energy) {
     for (std::size_t r = 0; r < 6; ++r) {
-        const Vec3f z = at.z[r];
-        for (std::size_t m = 0; m < 8; ++m) sums[r][m] += z.x * row[m] + z.y * row[8 + m] + z.z * row[16 + m];
+        const Vec3f z = at.z[r] * s;
+        for (std::size_t m = 0; m < 6; ++m) {
+            energy[6 * r + m] += static_cast<double>(z.x * row[m] + z.y * row[8 + m] + z.z * row[16 + m]);
+        }
     }
 }
 
-// += sums over some nodes of Z^T A Z; Z in the free part of partials.
-template <class IsIn>
-void add_energies(const Model& model, const State& state, const Workspace& w, std::span<const Partial> partials,
-                  Matrix6& energy, IsIn&& is_in) {
-    std::size_t next = 0;
-    for (std::size_t begin = 0; begin < model.node_count; begin += nodes_per_piece) {
-        float sums[6][8] = {};
-        for (std::size_t node = begin; node < std::min(begin + nodes_per_piece, model.node_count); ++node) {
-            if (!is_in(node)) continue;
-            Columns at = columns_at(position(state, node));
-            while (next < partials.size() && partials[next].node < node) ++next;
-            if (next < partials.size() && partials[next].node == node) {
-                for (Vec3f& column : at.z) column = column - taken_part(partials[next], column);
-            }
-            add_energy(at, &w.mode_rows[mode_floats * node], sums);
-        }
+// Z^T A Z of all nodes, Z in the free part of partials.
+Matrix6 energy_of(const Model& model, const State& state, Workspace& w, std::span<const Partial> partials,
+                  const Kernels& kernels, const Jobs& jobs) {
+    const ModeJob job = mode_job(model, state, w);
+    for_pieces(jobs, model.node_count, nodes_per_piece, [&](std::size_t piece, std::size_t b, std::size_t e) {
+        kernels.mode_energies(job, b, e, &w.mode_sums[mode_sums * piece]);
+    });
+    Matrix6 energy{};
+    for (std::size_t piece = 0; piece * nodes_per_piece < model.node_count; ++piece) {
         for (std::size_t r = 0; r < 6; ++r) {
-            for (std::size_t c = 0; c < 6; ++c) energy[6 * r + c] += static_cast<double>(sums[r][c]);
+            for (std::size_t m = 0; m < 6; ++m) energy[6 * r + m] += w.mode_sums[mode_sums * piece + 8 * r + m];
         }
     }
+    for (const Partial& p : partials) {
+        Columns taken = columns_at(position(state, p.node));
+        for (Vec3f& column : taken.z) column = taken_part(p, column);
+        add_energy(taken, &w.mode_rows[mode_floats * std::size_t{p.node}], -1, energy);
+    }
+    return energy;
 }
 
 Six pushes(const Model& model, const State& state, const Workspace& w, std::span<const float> rows) {
@@ -104,7 +105,7 @@ void RigidModes::prepare(const Model& model, const State& state, Workspace& w, s
     for_pieces(jobs, model.node_count, nodes_per_piece,
                [&](std::size_t, std::size_t b, std::size_t e) { kernels.multiply_modes(job, b, e); });
     for (const Partial& p : partials) add_taken(model, state, w, p, -1);
-    refresh(model, state, w, partials, locks);
+    refresh(model, state, w, partials, locks, kernels, jobs);
 }
 
 void RigidModes::follow(const Model& model, const State& state, Workspace& w, const Partial& partial) {
@@ -113,14 +114,15 @@ void RigidModes::follow(const Model& model, const State& state, Workspace& w, co
     add_taken(model, state, w, held, partial.taken_count == 0 ? 1.0f : -1.0f);
 }
 
-void RigidModes::refresh(const Model& model, const State& state, const Workspace& w, std::span<const Partial> partials,
-                         const RigidLocks& locks) {
+void RigidModes::refresh(const Model& model, const State& state, Workspace& w, std::span<const Partial> partials,
+                         const RigidLocks& locks, const Kernels& kernels, const Jobs& jobs) {
     carrier_ = locks.own_mass;
-    if (locks.is_active) {
-        add_energies(model, state, w, partials, carrier_, [&](std::size_t n) { return is_carried(model, w, n); });
+    for (const Index node : model.locked_nodes) {
+        if (!locks.is_active || !is_carried(model, w, node)) continue;
+        add_energy(columns_at(position(state, node)), &w.mode_rows[mode_floats * std::size_t{node}], 1, carrier_);
     }
-    Matrix6 energy = carrier_;
-    add_energies(model, state, w, partials, energy, [&](std::size_t n) { return !is_carried(model, w, n); });
+    Matrix6 energy = energy_of(model, state, w, partials, kernels, jobs);
+    for (std::size_t i = 0; i < 36; ++i) energy[i] += locks.own_mass[i];
     for (std::size_t r = 0; r < 6; ++r) {
         for (std::size_t c = 0; c < r; ++c) {
             energy[6 * r + c] = energy[6 * c + r] = 0.5 * (energy[6 * r + c] + energy[6 * c + r]);

@@ -18,8 +18,8 @@ public:
 
     // After a partial's taken_count went from 1 to 0 or back; refresh() when all are done.
     void follow(const Model& model, const State& state, Workspace& workspace, const Partial& partial);
-    void refresh(const Model& model, const State& state, const Workspace& workspace, std::span<const Partial> partials,
-                 const RigidLocks& locks);
+    void refresh(const Model& model, const State& state, Workspace& workspace, std::span<const Partial> partials,
+                 const RigidLocks& locks, const Kernels& kernels, const Jobs& jobs);
 
     // Takes out of the residual what rigid motion can answer: changes `change` and the residual, locks included.
     void balance(const Model& model, const State& state, Workspace& workspace, std::span<const Partial> partials,

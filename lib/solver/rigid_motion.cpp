@@ -26,7 +26,11 @@ Six times(const Matrix6& m, const Six& v) {
 
 void RowMotion::add(const Mat3d& b, Vec3 x) {
     blocks = blocks + b;
-    turned = turned + b * cross_matrix(x);
+    // A row of b [x] is the row's cross product with x.
+    for (int r = 0; r < 3; ++r) {
+        const Vec3 row = cross(b.row(r), x);
+        for (int c = 0; c < 3; ++c) turned(r, c) += row[c];
+    }
 }
 
 void add_row(Matrix6& m, Vec3 x, const RowMotion& row, double s) {

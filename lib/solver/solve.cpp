@@ -132,7 +132,7 @@ public:
     bool recheck(Recheck what) {
         RigidModes* modes = whole_.response.is_given ? &modes_ : nullptr;
         if (!has_contacts_ || !recheck_contacts(model_, state_, w_, partials_, whole_.locks, modes, what)) return false;
-        if (modes) modes_.refresh(model_, state_, w_, partials_, whole_.locks);
+        if (modes) modes_.refresh(model_, state_, w_, partials_, whole_.locks, kernels_, jobs_);
         balance_whole();
         return true;
     }

@@ -65,7 +65,7 @@ Workspace take_workspace(const Model& model, Arena& arena) {
     w.materials = arena.take<StepMaterial>(model.materials.size());
     w.sums = arena.take<double>(node_count / nodes_per_piece + 1);
     w.raised = arena.take<std::uint32_t>(node_count / nodes_per_piece + 1);
-    w.mode_sums = arena.take<float>(8 * (node_count / nodes_per_piece + 1));
+    w.mode_sums = arena.take<float>(mode_sums * (node_count / nodes_per_piece + 1));
     w.counts = arena.take<ElementCounts>(model.packets.size() / packets_per_piece + 1);
     return w;
 }

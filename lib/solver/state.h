@@ -86,7 +86,7 @@ struct Workspace {
     std::span<double> sums;           // one a piece
     std::span<ElementCounts> counts;  // one a piece
     std::span<std::uint32_t> raised;  // one a piece of nodes
-    std::span<float> mode_sums;       // eight a piece of nodes
+    std::span<float> mode_sums;       // 48 a piece of nodes
 };
 
 [[nodiscard]] std::size_t workspace_bytes(const Model& model);
