@@ -16,6 +16,22 @@ constexpr double noise_floor = 1e-13;
 // Contacts that let go or begin to hold cost conjugate gradients what they have learned.
 constexpr std::uint32_t iterations_between_checks = 4;
 
+// The rigid part of the residual is taken out to float's precision. Once the rest has shrunk so far (of r.z), what was
+// left of it would turn the directions, and the iterations would diverge; that they do is seen by how far they grew.
+constexpr double falls_between_balances = 1e-3;
+constexpr double grows_between_balances = 30;
+
+// r.z since the last balance.
+struct Course {
+    double begun = 0;
+    double least = 0;
+    explicit Course(double rz) : begun(rz), least(rz) {}
+    [[nodiscard]] bool wants_balance(double rz) {
+        least = std::min(least, rz);
+        return rz < falls_between_balances * begun || rz > grows_between_balances * least;
+    }
+};
+
 class Loops {
 public:
     Loops(const Model& model, Workspace& workspace, const Jobs& jobs)
@@ -136,8 +152,10 @@ public:
         balance_whole();
         return true;
     }
-    void balance_whole() {
+    // Says whether there is a whole.
+    bool balance_whole() {
         if (whole_.response.is_given) modes_.balance(model_, state_, w_, partials_, whole_.locks);
+        return whole_.response.is_given;
     }
 
 private:
@@ -216,6 +234,7 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
     result.has_overflowed = !std::isfinite(first);
     double rz = result.has_overflowed ? first : solve.restart();
     const double begun = std::max(first, rz);
+    Course course(rz);
     while (result.iterations < settings.max_iterations && rz > enough) {  // never entered when first is not finite
         const double pq = solve.multiply();
         const double a = rz / pq;
@@ -226,7 +245,11 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
         const double next = solve.descend(a);
         ++result.iterations;
         if (result.iterations % iterations_between_checks == 0 && solve.recheck(Recheck::all)) {
-            rz = solve.restart();
+            course = Course(rz = solve.restart());
+            continue;
+        }
+        if (course.wants_balance(next) && solve.balance_whole()) {
+            course = Course(rz = solve.restart());
             continue;
         }
         solve.turn(next / rz);

@@ -37,4 +37,25 @@ TEST(Step, AFreeBodyFallsAsOne) {
     }
 }
 
+// Nothing strains it, so there is nothing but rounding to solve for: no budget makes more of that.
+TEST(Step, AStiffBodyThatFallsAsOneIsNotTooStiff) {
+    Material steel = elastic_material(2e8);
+    steel.density_kg_m3 = 180;
+    for (const bool has_locks : {false, true}) {
+        Settings settings;
+        settings.max_iterations = 400;
+        const auto is_locked = [=](Vec3f p) { return has_locks && p.x > 1.1f; };
+        Body body(grid_body({12, 6, 6}, {0.1f, 0.1f, 0.1f}, steel, is_locked), settings);
+        StepInput input;
+        input.gravity = {0, -9.81f, 0};
+        input.has_free_carrier = true;
+        for (int i = 0; i < 20; ++i) {
+            const StepReport report = body.step(input);
+            EXPECT_EQ(report.warnings, 0u) << has_locks << " " << i;
+            EXPECT_LT(report.residual, 1e-3f);
+            EXPECT_LT(report.iterations, 400u) << has_locks << " " << i;
+        }
+    }
+}
+
 }
