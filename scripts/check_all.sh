@@ -5,10 +5,10 @@
 #   scripts/check_all.sh [--fuzz-minutes N] [STEP...]
 #
 # Steps, all of them by default:
-#   full        every test in its long form (CRUMPLE_FULL_TESTS=1), Release and sanitized
+#   full        every test in its long form (CRUMPLE_FULL_TESTS=1) in Release, in its quick form sanitized
 #   toolchains  what a game embeds with gcc, clang, mingw under wine and aarch64 under qemu
 #   compilers   the suite with clang, and the sample car cooked by gcc and by clang: same bytes
-#   fuzz        each libFuzzer target for N minutes, 10 by default
+#   fuzz        each libFuzzer target for N minutes, 10 by default, as many at once as there are cores
 #   bench       every benchmark at its full size, figures in build/bench/*.json
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
@@ -25,10 +25,9 @@ done
 [ ${#steps[@]} -gt 0 ] || steps=(full toolchains compilers fuzz bench)
 
 run_full() {
-    for preset in release dev; do
-        scripts/build.sh "$preset"
-        CRUMPLE_FULL_TESTS=1 ctest --preset "$preset" --parallel "$(nproc)" --timeout 36000
-    done
+    scripts/build.sh release
+    CRUMPLE_FULL_TESTS=1 ctest --preset release --parallel "$(nproc)" --timeout 36000
+    scripts/test.sh dev
 }
 
 cook_with() {
@@ -47,19 +46,23 @@ run_compilers() {
     echo "gcc and clang cook the same bytes" >&2
 }
 
+fuzz_one() {
+    local name="$1" corpora=("build/fuzz/corpus/$1")
+    mkdir -p "${corpora[0]}"
+    if [ -d "tests/fuzz/corpus/$name" ]; then corpora+=("tests/fuzz/corpus/$name"); fi
+    local log="build/fuzz/$name.log" failed=0
+    "build/fuzz/tests/fuzz/$name" -max_total_time=$((minutes * 60)) -timeout=30 -print_final_stats=1 \
+        -artifact_prefix="build/fuzz/$name-" "${corpora[@]}" >"$log" 2>&1 || failed=1
+    { echo "== $name: $minutes minutes"; if [ "$failed" = 1 ]; then tail -n 60 "$log"; else grep '^stat::' "$log"; fi; } >&2
+    return "$failed"
+}
+
 run_fuzz() {
     scripts/build.sh fuzz
-    local target name
-    for target in build/fuzz/tests/fuzz/fuzz_*; do
-        [ -x "$target" ] && [ -f "$target" ] || continue
-        name="$(basename "$target")"
-        echo "== $name for $minutes minutes" >&2
-        mkdir -p "build/fuzz/corpus/$name"
-        local corpora=("build/fuzz/corpus/$name")
-        if [ -d "tests/fuzz/corpus/$name" ]; then corpora+=("tests/fuzz/corpus/$name"); fi
-        "$target" -max_total_time=$((minutes * 60)) -timeout=30 -print_final_stats=1 \
-            -artifact_prefix="build/fuzz/$name-" "${corpora[@]}"
-    done
+    export -f fuzz_one
+    export minutes
+    find build/fuzz/tests/fuzz -maxdepth 1 -name 'fuzz_*' -type f -executable -printf '%f\n' | sort |
+        xargs -P "$(nproc)" -I NAME bash -c 'fuzz_one NAME'
 }
 
 run_bench() {

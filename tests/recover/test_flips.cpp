@@ -63,7 +63,7 @@ TEST_P(Rings, TheMiddleEdgeGoesAndTheVolumeStays) {
     EXPECT_EQ(flips.count(), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, Rings, testing::Values(3, 4, 5, 8, 12));
+INSTANTIATE_TEST_SUITE_P(Sizes, Rings, testing::Values(3, 4, 5, 8, 12), testing::PrintToStringParamName());
 
 TEST(Flips, ASegmentIsNeverTakenOut) {
     TetComplex complex(bipyramid(4));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "solver/body.h"
 #include "solver/instance.h"
@@ -159,7 +160,8 @@ const Quaternion leaning = to_quaternion(turn({1, 2, 3}, 0.7));
 }
 
 class CarrierInertia : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(OffAndOn, CarrierInertia, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Forces, CarrierInertia, testing::Bool(),
+                         [](const auto& parameter) { return std::string(parameter.param ? "on" : "off"); });
 
 TEST_P(CarrierInertia, TheSameCrashLeavesTheSameDentsAnywhere) {
     const Rider here = crash({}, {}, upright, GetParam());
