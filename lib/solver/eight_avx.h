@@ -83,4 +83,4 @@ inline void gather_blocks(const float* group, Eight (&element)[9]) {
     element[8].v = _mm256_setr_ps(last[0], last[9], last[18], last[27], last[36], last[45], last[54], last[63]);
 }
 
-}  // namespace crumple::solver::CRUMPLE_LANES
+}

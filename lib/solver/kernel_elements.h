@@ -3,6 +3,7 @@
 // 4.1 and 4.6 of the design; R is frozen while the step is solved).
 // Included once per instruction set, with CRUMPLE_LANES naming its namespace.
 #pragma once
+#include <cstring>
 
 namespace crumple::solver::CRUMPLE_LANES {
 
@@ -37,9 +38,8 @@ inline void deformation(const Edges& d, const Lanes (&g)[9], Lanes (&f)[9]) {
 }
 
 // Fills in how newly degenerate lanes collapsed and forgets it where det F is back above the threshold.
-inline void update_collapse(const ElementJob& job, const TetPacket& packet, TetState& state, int lane,
+inline void update_collapse(const ElementJob& job, const TetPacket& packet, std::uint8_t* collapse, int lane,
                             unsigned is_bad) {
-    std::uint8_t* const collapse = state.collapse + lane;
     // Nearly always nobody is bad, or whoever is was so before.
     if (is_bad == nonzero_bytes(collapse)) return;
     for (int l = 0; l < Lanes::width; ++l) {
@@ -58,14 +58,14 @@ struct Treated {
 
 // Reflection, projection and the smooth blend of both as one rank-one change of F: F + scale u h^T, with u the axis
 // scaled by its area and h the gradient of the moving corners, or F - 2 u (u^T F) / u.u.
-inline Treated treat(const ElementJob& job, const TetPacket& packet, const TetState& state, int lane, const Edges& d,
-                     const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
+inline Treated treat(const ElementJob& job, const TetPacket& packet, const std::uint8_t* collapse, int lane,
+                     const Edges& d, const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
     const Lanes zero = Lanes::all(0);
     Lanes u[3] = {zero, zero, zero};
     Lanes h[3] = {zero, zero, zero};
     Lanes edge_size = zero;
     for (int k = 0; k < 3; ++k) {
-        const Lanes sign = look_up(collapse_signs[k], state.collapse + lane);
+        const Lanes sign = look_up(collapse_signs[k], collapse);
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         u[0] = fma(sign, fnma(d.z[a], d.y[b], d.y[a] * d.z[b]), u[0]);
         u[1] = fma(sign, fnma(d.x[a], d.z[b], d.z[a] * d.x[b]), u[1]);
@@ -153,15 +153,15 @@ inline void write_forces(const Moduli& moduli, float dt, const Lanes (&r)[9], co
     scatter4(out, 16, zero - sum[0], zero - sum[1], zero - sum[2], zero);
 }
 
-inline Rotor rotation_of(const ElementJob& job, const TetPacket& packet, TetState& state, int lane, const Edges& d,
-                         const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
-    const Rotor last = load_rotor(state.rotation, lane);
+template <Last is>
+Rotor rotation_of(const ElementJob& job, const TetPacket& packet, const Rotor& last, const std::uint8_t* collapse,
+                  int lane, const Edges& d, const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
     const auto rotate = [&](const Lanes(&of)[9]) {
         return job.settings.rotation ? rotation_by_function(job.settings.rotation, of, last)
-                                     : nearest_rotation(of, last);
+                                     : nearest_rotation<is>(of, last);
     };
     if (bits(is_bad) == 0 || job.settings.treatment == Treatment::off) return rotate(f);
-    const Treated treated = treat(job, packet, state, lane, d, g, f, det, is_bad);
+    const Treated treated = treat(job, packet, collapse, lane, d, g, f, det, is_bad);
     return select(treated.is_lost, last, rotate(treated.f));
 }
 
@@ -209,8 +209,10 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
     deformation(d, g, f);
     const Lanes det = determinant(f);
     const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
-    update_collapse(job, packet, state, lane, bits(is_bad));
-    const Rotor q = rotation_of(job, packet, state, lane, d, g, f, det, is_bad);
+    update_collapse(job, packet, state.collapse + lane, lane, bits(is_bad));
+    // The energies at the end of the last step left the rotations of where it went.
+    const Rotor q = rotation_of<Last::maybe_this>(job, packet, load_rotor(state.rotation, lane), state.collapse + lane,
+                                                  lane, d, g, f, det, is_bad);
     store_rotor(q, state.rotation, lane);
     to_matrix(q, r);
 
@@ -255,7 +257,10 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
     Lanes energy = Lanes::all(0);
     for (std::size_t p = begin; p < end; ++p) {
         const TetPacket& packet = job.packets[p];
-        TetState state = job.states[p];  // a copy: how tets collapse on a way that may not be taken is not kept
+        TetState& state = job.states[p];
+        // A copy: how tets collapse on a way that may not be taken is not kept.
+        std::uint8_t collapse[packet_size];
+        std::memcpy(collapse, state.collapse, sizeof collapse);
         for (int lane = 0; lane < static_cast<int>(packet_size); lane += Lanes::width) {
             Lanes g[9], f[9], r[9];
             load_gradients(job.shapes ? job.shapes[p].gradient : packet.gradient, lane, g);
@@ -263,10 +268,11 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
             deformation(d, g, f);
             const Lanes det = determinant(f);
             const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
-            update_collapse(job, packet, state, lane, bits(is_bad));
-            const Rotor q = rotation_of(job, packet, state, lane, d, g, f, det, is_bad);
+            update_collapse(job, packet, collapse + lane, lane, bits(is_bad));
+            const Rotor last = load_rotor(state.rotation, lane);
+            const Rotor q = rotation_of<Last::earlier>(job, packet, last, collapse + lane, lane, d, g, f, det, is_bad);
             // What a degenerate tet does depends on its last rotation: that of a way not taken must not stay.
-            store_rotor(select(is_bad, load_rotor(state.rotation, lane), q), job.states[p].rotation, lane);
+            store_rotor(select(is_bad, last, q), state.rotation, lane);
             to_matrix(q, r);
             energy = energy +
                      strain_energy(packet, lane,
@@ -281,7 +287,7 @@ inline void extract_rotations(RotationPacket* packets, std::size_t begin, std::s
         for (int lane = 0; lane < static_cast<int>(packet_size); lane += Lanes::width) {
             Lanes f[9];
             load_gradients(packets[p].f, lane, f);
-            const Rotor q = nearest_rotation(f, load_rotor(packets[p].rotation, lane));
+            const Rotor q = nearest_rotation<Last::earlier>(f, load_rotor(packets[p].rotation, lane));
             store_rotor(q, packets[p].rotation, lane);
         }
     }

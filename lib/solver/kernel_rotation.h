@@ -69,7 +69,8 @@ inline Rotor normalized(const Rotor& q) {
 
 // Of the trace: what a step leaves of it is its square or less.
 inline constexpr float nearly_symmetric = 2e-3f;
-inline constexpr int polish_steps = 3;  // after a cold start
+inline constexpr float symmetric_to_float = 1e-4f;  // what a step leaves of this is rounding
+inline constexpr int polish_steps = 3;              // after a cold start
 
 inline constexpr unsigned everyone = (1u << Lanes::width) - 1;
 
@@ -79,6 +80,7 @@ struct NewtonStep {
     // trace larger: H is positive definite, which tells the nearest rotation from the other places where the skew part
     // vanishes. False for what is not finite.
     Mask arrives;
+    Mask was_there;  // and R^T F was so nearly symmetric that nothing but rounding is left
 };
 
 // REQUIRES: ff = |F|^2 inside the bounds below, so that nothing overflows.
@@ -100,8 +102,10 @@ inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
     Lanes ny = dot3(cd, ce, ch, gx, gy, gz);
     Lanes nz = dot3(cc, ch, ci, gx, gy, gz);
     const Lanes limit = (b[0] + e + b[4]) * Lanes::all(nearly_symmetric);
-    const Mask arrives =
-        (dot3(gx, gy, gz, gx, gy, gz) <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
+    const Lanes skew = dot3(gx, gy, gz, gx, gy, gz);
+    const Mask arrives = (skew <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
+    const Lanes tight = limit * Lanes::all(symmetric_to_float / nearly_symmetric);
+    const Mask was_there = arrives & (skew <= tight * tight);
     // Where H is singular or the step would climb, go down the gradient instead.
     const Mask is_good = (det * det > Lanes::all(1e-14f) * ff * ff * ff) & (zero <= dot3(nx, ny, nz, gx, gy, gz) * det);
     Lanes under = det * Lanes::all(-4);
@@ -124,7 +128,8 @@ inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
     return {{fma(q.w, nx, fma(q.x, s, fnma(q.z, ny, q.y * nz))), fma(q.w, ny, fma(q.y, s, fnma(q.x, nz, q.z * nx))),
              fma(q.w, nz, fma(q.z, s, fnma(q.y, nx, q.x * ny))),
              fma(q.w, s, fnma(q.x, nx, fnma(q.y, ny, zero - q.z * nz)))},
-            arrives};
+            arrives,
+            was_there};
 }
 
 // The 2 x 2 minors of two rows of a 4 x 4 matrix, columns 01 02 03 12 13 23.
@@ -202,8 +207,12 @@ inline void scale_to_one(Lanes (&f)[9], Lanes ff) {
 inline constexpr float least_squared = 1e-5f;
 inline constexpr float largest_squared = 1e5f;
 
+// Whether the last rotation may be that of this very F.
+enum class Last { earlier, maybe_this };
+
 // The rotation nearest to F, from the last one; the last one where F has none.
-inline Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
+template <Last is>
+Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
     Lanes f[9];
     for (int i = 0; i < 9; ++i) f[i] = f_any_size[i];
     Lanes ff = squared_norm(f);
@@ -211,7 +220,9 @@ inline Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
         scale_to_one(f, ff);
         ff = Lanes::all(1);
     }
-    NewtonStep step = newton_step(f, ff, newton_step(f, ff, last).q);
+    NewtonStep step = newton_step(f, ff, last);
+    if (is == Last::maybe_this && bits(step.was_there) == everyone) return step.q;
+    step = newton_step(f, ff, step.q);
     if (bits(step.arrives) == everyone) return step.q;
     step = newton_step(f, ff, step.q);
     if (bits(step.arrives) == everyone) return step.q;

@@ -80,7 +80,7 @@ Index block_of(const BundleView& view, const SliceArrays& a, Index row, Index sl
     return static_cast<Index>(slice_rows * group + lane % slice_rows);
 }
 
-}  // namespace
+}
 
 SliceCounts count_slices(const BundleView& view) {
     SliceCounts counts;
@@ -109,4 +109,4 @@ void fill_slices(const BundleView& view, const SliceArrays& a) {
     }
 }
 
-}  // namespace crumple::solver
+}

@@ -67,4 +67,4 @@ void for_row(const Slices& slices, std::size_t node, Body&& body) {
     }
 }
 
-}  // namespace crumple::solver
+}
