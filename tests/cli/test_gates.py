@@ -28,7 +28,7 @@ class Rejected(program.Case):
         self.fails(self.cook(*STRICT), 4)
         process = self.ok(program.run("export", self.rejected, "--blob", self.path("car.blob")))
         self.assertIn("warning", process.stderr)
-        self.assertIn("refused this bundle (GATE_MIN_DIHEDRAL)", process.stderr)
+        self.assertIn("refused this bundle (GATE_MIN_DIHEDRAL, ", process.stderr)
         self.ok(self.cook())
         self.assertNotIn("warning", self.ok(program.run("export", self.output, "--blob", self.path("car.blob"))).stderr)
 
