@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "finish/add_nodes.h"
 #include "finish/crowded.h"
 #include "finish/findings.h"
 #include "finish/flaps.h"
@@ -45,6 +46,13 @@ double largest_slide(const Shell& shell, const TetMesh& mesh) {
 // mended by operations inside, which take nothing from the shape.
 constexpr double first_share = 0.4;
 
+// Nodes are added in runs: first those that gain so many bad tets more than their price, at last all that gain
+// anything.
+constexpr double node_levels[] = {4, 2, 1, 0.5, 0.25, 0, 0, 0};
+
+// Between those runs tets up to so many times the angle of bad ones are mended, the rest only at the end.
+constexpr double around_nodes = 2;
+
 class Finisher {
 public:
     Finisher(const SurfaceGuard& guard, const TetMesh& mesh, const Params& params, Report& report,
@@ -65,21 +73,8 @@ public:
     bool peel_flat() { return peel({params_.peel_angle_deg, params_.peel_height, volume_}); }
 
     void improve() {
-        const ImproveReport improved = improve_shapes(
-            work_, guard_,
-            {params_.target_deg, params_.insert_below_deg, params_.slide, params_.rounds, budget_ - report_.tried},
-            context_);
-        Operations& sum = report_.operations;
-        sum.edge_removals += improved.edge_removals;
-        sum.surface_flips += improved.surface_flips;
-        sum.face_removals += improved.face_removals;
-        sum.moves += improved.moves;
-        sum.contractions += improved.contractions;
-        sum.insertions += improved.insertions;
-        sum.slides += improved.slides;
-        report_.is_out_of_budget |= improved.is_out_of_budget;
-        report_.rounds_run += improved.rounds;
-        spend(improved.tried);
+        mend(params_.target_deg);
+        if (params_.insert_below_deg > 0) add_nodes();
     }
 
     void raise_steps() {
@@ -92,6 +87,42 @@ public:
     [[nodiscard]] TetMesh mesh() const { return take_mesh(work_); }
 
 private:
+    // The nodes that gain most come first: what is mended around them need not be paid for.
+    void add_nodes() {
+        NodeAdder adder(work_, {params_.insert_below_deg, params_.node_price});
+        bool has_added = false;
+        for (const double level : node_levels) {
+            if (!add_nodes(adder, level)) continue;
+            has_added = true;
+            mend(std::min(params_.target_deg, around_nodes * params_.insert_below_deg));
+        }
+        if (has_added) mend(params_.target_deg);
+    }
+
+    bool add_nodes(NodeAdder& adder, double level) {
+        const NodeReport added = adder.run(level, budget_ - report_.tried, context_);
+        report_.operations.insertions += added.added;
+        report_.operations.reseats += added.reseated;
+        report_.is_out_of_budget |= added.is_out_of_budget;
+        spend(added.tried);
+        return added.added + added.reseated > 0;
+    }
+
+    void mend(double target_deg) {
+        const ImproveReport improved = improve_shapes(
+            work_, guard_, {target_deg, params_.slide, params_.rounds, budget_ - report_.tried}, context_);
+        Operations& sum = report_.operations;
+        sum.edge_removals += improved.edge_removals;
+        sum.surface_flips += improved.surface_flips;
+        sum.face_removals += improved.face_removals;
+        sum.moves += improved.moves;
+        sum.contractions += improved.contractions;
+        sum.slides += improved.slides;
+        report_.is_out_of_budget |= improved.is_out_of_budget;
+        report_.rounds_run += improved.rounds;
+        spend(improved.tried);
+    }
+
     void spend(std::uint64_t tried) {
         report_.tried += tried;
         report_.budget_used =

@@ -15,7 +15,7 @@
 
 namespace crumple::finish {
 
-inline constexpr int version = 2;
+inline constexpr int version = 3;
 
 enum class Mode { none, peel, full };
 inline constexpr EnumName<Mode> mode_names[] = {{Mode::none, "none"}, {Mode::peel, "peel"}, {Mode::full, "full"}};
@@ -32,6 +32,7 @@ struct Params {
     double surface_gap_diagonal = 1e-3;
     double target_deg = 40;
     double insert_below_deg = 10;
+    double node_price = 0.5;
     double step_share = 0.35;
     double slide = 0;
     std::uint32_t rounds = 10;
@@ -55,7 +56,9 @@ void describe(Visitor& visit, P& p) {
                 "nor by more than this times the shell's diagonal");
     visit.field("target_deg", p.target_deg, Range{0, 60}, "tets as good as this smallest angle are left alone");
     visit.field("insert_below_deg", p.insert_below_deg, Range{0, 60},
-                "tets worse than this may get a node of their own");
+                "tets worse than this may get a node in their midst");
+    visit.field("node_price", p.node_price, Range{0, 100},
+                "when so many fewer of them are left then: the more, the fewer nodes are added");
     visit.field("step_share", p.step_share, Range{0, 1},
                 "nodes that alone would allow less than this share of the median time step are relieved, the worst "
                 "first: they set the step of an explicit simulation; 0: none");
@@ -74,6 +77,7 @@ struct Operations {
     std::uint64_t moves = 0;
     std::uint64_t contractions = 0;
     std::uint64_t insertions = 0;
+    std::uint64_t reseats = 0;
     std::uint64_t slides = 0;
     std::uint64_t step_changes = 0;
 };
@@ -86,6 +90,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("moves", p.moves, "steps of interior nodes");
     visit.field("contractions", p.contractions, "interior nodes merged into a neighbour");
     visit.field("insertions", p.insertions, "interior nodes added");
+    visit.field("reseats", p.reseats, "interior nodes taken out and put in again elsewhere");
     visit.field("slides", p.slides, "steps of shell vertices");
     visit.field("step_changes", p.step_changes, "changes of any kind that raised the smallest time step");
 }

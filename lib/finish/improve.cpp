@@ -19,11 +19,7 @@ constexpr double least_gain = 5e-3;
 class Improver {
 public:
     Improver(WorkMesh& mesh, const SurfaceGuard& guard, const ImproveLimits& limits)
-        : mesh_(mesh),
-          guard_(guard),
-          limits_(limits),
-          target_(shape_of_angle(limits.target_deg)),
-          insert_below_(shape_of_angle(limits.insert_below_deg)) {}
+        : mesh_(mesh), guard_(guard), limits_(limits), target_(shape_of_angle(limits.target_deg)) {}
 
     ImproveReport run(const Context& context) {
         while (report_.rounds < limits_.rounds && !report_.is_out_of_budget) {
@@ -76,8 +72,7 @@ private:
     }
 
     bool mend(Index tet) {
-        return mend_by_exchange(tet) || mend_by_move(tet) || mend_by_slide(tet) || mend_by_contraction(tet) ||
-               mend_by_insertion(tet);
+        return mend_by_exchange(tet) || mend_by_move(tet) || mend_by_slide(tet) || mend_by_contraction(tet);
     }
 
     // The best of all edges and faces of the tet.
@@ -189,22 +184,10 @@ private:
                                    : plan_surface_operations(mesh_, guard_, node, star_, target, floor, exchange_);
     }
 
-    bool mend_by_insertion(Index tet) {
-        if (mesh_.shape(tet) >= insert_below_ || !spend()) return false;
-        // A node costs: it has to lift the tet out of the bad ones.
-        if (!plan_insertion(mesh_, tet, insert_below_, insertion_)) return false;
-        const Index node = add_node(mesh_, insertion_.place);
-        for (Tet& fresh : insertion_.exchange.fresh) fresh[0] = node;
-        ++report_.insertions;
-        offer(apply(mesh_, insertion_.exchange));
-        return true;
-    }
-
     WorkMesh& mesh_;
     const SurfaceGuard& guard_;
     const ImproveLimits& limits_;
     double target_;
-    double insert_below_;
     ImproveReport report_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
 
@@ -213,7 +196,6 @@ private:
     std::vector<Index> star_;
     Exchange exchange_;
     Exchange best_;
-    Insertion insertion_;
 };
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Raises the shapes of the worst tets by local operations, one tet at a time, worst first: takes edges and faces out,
-// moves, merges and adds interior nodes. Every change makes the worst of the tets it touches better, so no mesh gets
+// moves and merges interior nodes. Every change makes the worst of the tets it touches better, so no mesh gets
 // worse.
 #pragma once
 #include <cstdint>
@@ -12,11 +12,10 @@
 namespace crumple::finish {
 
 struct ImproveLimits {
-    double target_deg = 40;        // tets whose shape is that of this smallest angle are left alone
-    double insert_below_deg = 10;  // worse ones may get a node of their own
-    double slide = 0;              // how far a shell vertex may go, in its shortest edges; 0: never
-    std::uint32_t rounds = 10;     // over all tets below the target whose surroundings changed
-    std::uint64_t budget = 0;      // operations tried at most
+    double target_deg = 40;     // tets whose shape is that of this smallest angle are left alone
+    double slide = 0;           // how far a shell vertex may go, in its shortest edges; 0: never
+    std::uint32_t rounds = 10;  // over all tets below the target whose surroundings changed
+    std::uint64_t budget = 0;   // operations tried at most
 };
 
 struct ImproveReport {
@@ -25,7 +24,6 @@ struct ImproveReport {
     std::uint64_t face_removals = 0;
     std::uint64_t moves = 0;
     std::uint64_t contractions = 0;
-    std::uint64_t insertions = 0;
     std::uint64_t slides = 0;
     std::uint32_t rounds = 0;
     std::uint64_t tried = 0;  // operations, whether they led to a change or not

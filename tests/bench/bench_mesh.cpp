@@ -13,6 +13,7 @@
 #include "bench/bench.h"
 #include "bench/mesh_case.h"
 #include "bench/mesh_peers.h"
+#include "finish/finish.h"
 
 namespace crumple {
 namespace {
@@ -41,29 +42,45 @@ std::optional<Made> search(const MeshCase& of, const std::vector<std::string>& s
     const auto is_nearer = [&](const Made& a, const Made& b) {
         return std::fabs(tets_off(a, wanted)) < std::fabs(tets_off(b, wanted));
     };
-    std::optional<Made> a = cook("0");
-    std::optional<Made> b = cook("auto");
-    if (!a || !b) return std::nullopt;
-    Made best = is_nearer(*a, *b) ? *a : *b;
+    std::optional<Made> fewest = cook("0");
+    std::optional<Made> automatic = cook("auto");
+    if (!fewest || !automatic) return std::nullopt;
+    Made a = std::move(*fewest);
+    Made b = std::move(*automatic);
+    Made best = is_nearer(a, b) ? a : b;
     for (int round = 0; round < most_rounds && std::fabs(tets_off(best, wanted)) > near_enough * wanted; ++round) {
-        const double slope = (tets_off(*b, wanted) - tets_off(*a, wanted)) / (points(*b) - points(*a));
+        const double slope = (tets_off(b, wanted) - tets_off(a, wanted)) / (points(b) - points(a));
         if (!(slope > 0)) break;
-        const double guess = points(*b) - tets_off(*b, wanted) / slope;
+        const double guess = points(b) - tets_off(b, wanted) / slope;
         if (!(guess >= 1) || guess > 1e6) break;
         std::optional<Made> next = cook(std::to_string(std::lround(guess)));
-        if (!next || next->interior_points == b->interior_points) break;
+        if (!next || next->interior_points == b.interior_points) break;
         a = std::move(b);
-        b = std::move(next);
-        if (is_nearer(*b, best)) best = *b;
+        b = std::move(*next);
+        if (is_nearer(b, best)) best = b;
     }
     return best;
 }
 
-// Where even no point is too many, finish may not insert any of its own.
+// Where even no point gives too many, because finish adds nodes of its own, a few points spare it some; where that is
+// not enough its nodes get dearer, by a fifth each time.
+constexpr double few_points[] = {0, 0.03, 0.06, 0.12};  // of the automatic number
+constexpr double dearest = 20;                          // for nodes: no more are added
+
 std::optional<Made> matched(const MeshCase& of, double wanted) {
-    std::optional<Made> made = search(of, {}, wanted);
-    if (!made || tets_off(*made, wanted) <= still_matched * wanted) return made;
-    return search(of, {"finish.insert_below_deg=0"}, wanted);
+    std::optional<Made> best = search(of, {}, wanted);
+    if (!best) return std::nullopt;
+    const auto is_matched = [&] { return std::fabs(tets_off(*best, wanted)) <= still_matched * wanted; };
+    const std::optional<Made> automatic = of.cook({});
+    for (double price = finish::Params().node_price; !is_matched() && price < dearest; price *= 1.2) {
+        for (const double share : few_points) {
+            const double count = share * static_cast<double>(automatic->interior_points);
+            std::optional<Made> next = of.cook(
+                {"finish.node_price=" + std::to_string(price), "sample.points=" + std::to_string(std::lround(count))});
+            if (next && std::fabs(tets_off(*next, wanted)) < std::fabs(tets_off(*best, wanted))) best = std::move(next);
+        }
+    }
+    return best;
 }
 
 std::optional<Made> run_peer(const MeshCase& of, const std::string& tool) {

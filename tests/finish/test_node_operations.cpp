@@ -80,34 +80,5 @@ TEST(NodeOperations, AContractionWorseThanTheFloorIsRefused) {
     EXPECT_FALSE(plan_contraction(work, 8, all_tets(mesh), 0, 0.99, exchange));
 }
 
-TEST(NodeOperations, ABoxWithABadDiagonalTetGetsANodeInside) {
-    // Six tets around the edge 0-1 of a flat ring: a node in the middle is much better than the long edge.
-    const TetMesh mesh = small::ring(8, 3);
-    const WorkMesh work(mesh);
-    Insertion insertion;
-    ASSERT_TRUE(plan_insertion(work, 0, small::worst_of(mesh), insertion));
-    WorkMesh changed(mesh);
-    const Index node = add_node(changed, insertion.place);
-    for (Tet& tet : insertion.exchange.fresh) {
-        EXPECT_EQ(tet[0], none);
-        tet[0] = node;
-    }
-    (void)apply(changed, insertion.exchange);
-    const TetMesh result = take_mesh(changed);
-    EXPECT_TRUE(small::is_all_positive(result));
-    EXPECT_NEAR(small::volume_of(result), small::volume_of(mesh), 1e-5);
-    EXPECT_EQ(result.positions.size(), mesh.positions.size() + 1);
-    EXPECT_EQ(boundary_of(result).faces.size(), boundary_of(mesh).faces.size());
-}
-
-TEST(NodeOperations, AnInsertionKeepsToItsMaterial) {
-    TetMesh mesh = small::ring(8, 3);
-    for (Index t = 1; t < 8; t += 2) mesh.region[t] = 1;
-    const WorkMesh work(mesh);
-    Insertion insertion;
-    if (!plan_insertion(work, 0, 0, insertion)) return;
-    for (const Index t : insertion.exchange.old) EXPECT_EQ(mesh.region[t], mesh.region[0]);
-}
-
 }
 }
