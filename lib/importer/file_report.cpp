@@ -102,9 +102,8 @@ std::vector<Finding> judge_other_paint(const Unread& unread, std::size_t color_s
             {"COLOR_ON_FACES",
              Severity::warning,
              counted(unread.colored_faces, "face has a colour of its own", "faces have colours of their own") +
-                 ", which lock nothing: only colours of vertices are read; paint vertices (in "
-                 "Blender a colour attribute of the domain Vertex, in MeshLab Transfer Color: Face to "
-                 "Vertex)",
+                 ", which is no lock: only colours of vertices are read; paint vertices (in Blender a colour "
+                 "attribute of the domain Vertex, in MeshLab Transfer Color: Face to Vertex)",
              unread.colored_faces,
              {}});
     }

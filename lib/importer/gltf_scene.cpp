@@ -91,11 +91,36 @@ std::uint64_t count_with_mesh_below(const Json& nodes, const Json& named) {
     return count;
 }
 
+// Those of the nodes named that no other one of them has below it: some programs name them all.
+Json topmost(const Json& document, const Json& named) {
+    const std::vector<std::size_t> parent = parents_of(list(document, "nodes"));
+    std::vector<bool> is_named(parent.size(), false);
+    for (const Json& item : named) is_named[item.get<std::size_t>()] = true;
+    Json tops = Json::array();
+    for (const Json& item : named) {
+        bool is_below = false;
+        for (std::size_t above = parent[item.get<std::size_t>()]; above < parent.size(); above = parent[above])
+            is_below = is_below || is_named[above];
+        if (!is_below) tops.push_back(item);
+    }
+    return tops;
+}
+
+void check_meshes(const Json& document) {
+    const Json& nodes = list(document, "nodes");
+    const std::size_t mesh_count = list(document, "meshes").size();
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (nodes[n].contains("mesh") && number(nodes[n], "mesh", 0) >= mesh_count)
+            refuse("node " + std::to_string(n) + " has a mesh that is not there");
+    }
+}
+
 }
 
 void check_nodes(const Json& document) {
     const Json& nodes = list(document, "nodes");
     check_depth(parents_of(nodes));
+    check_meshes(document);
     check_scenes(document, nodes.size());
 }
 
@@ -112,8 +137,14 @@ void choose_scene(Json& document, Unread& unread) {
     }
     const std::uint64_t chosen = number(document, "scene", 0);
     document["scene"] = chosen;
+    Json& scene = document["scenes"][chosen];
+    scene["nodes"] = topmost(document, list(scene, "nodes"));
     const Json& nodes = list(document, "nodes");
-    unread.nodes = count_with_mesh(nodes) - count_with_mesh_below(nodes, list(document["scenes"][chosen], "nodes"));
+    const std::uint64_t read = count_with_mesh_below(nodes, scene["nodes"]);
+    unread.nodes = count_with_mesh(nodes) - read;
+    if (read == 0 && unread.nodes > 0)
+        refuse("the scene that is read holds no mesh, all " + std::to_string(unread.nodes) +
+               " are outside it; export the scene that they belong to");
 }
 
 }

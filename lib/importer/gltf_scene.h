@@ -6,10 +6,12 @@
 
 namespace crumple::importer::gltf {
 
-// A node has one parent at most, none is above itself, and scenes name nodes that are there. Throws Error(bad_input).
+// A node has one parent at most, none is above itself, scenes name nodes and nodes name meshes that are there. Throws
+// Error(bad_input).
 void check_nodes(const Json& document);
 
-// Makes the document say which scene is read, and tells which nodes with a mesh are outside it. REQUIRES: check_nodes.
+// Makes the document say which scene is read, and tells which nodes with a mesh are outside it. Throws Error(bad_input)
+// when all are. REQUIRES: check_nodes.
 void choose_scene(Json& document, Unread& unread);
 
 }

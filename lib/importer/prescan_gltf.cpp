@@ -176,6 +176,8 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose 
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end()) refuse("a primitive has no attributes");
     check_attributes(document, *attributes, purpose);
+    if (primitive.contains("material") && number(primitive, "material", 0) >= list(document, "materials").size())
+        refuse("a primitive has a material that is not there");
     const std::uint64_t mode = number(primitive, "mode", triangles_mode);
     const std::uint64_t position = number(*attributes, "POSITION", none);
     const std::uint64_t indices = number(primitive, "indices", none);

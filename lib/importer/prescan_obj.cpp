@@ -239,6 +239,8 @@ Prescan prescan_obj(std::string_view text, Purpose purpose) {
     std::size_t first_count = 0;
     bool has_paint = false;
     for (std::string_view line; lines.next(line);) {
+        if (line.find('\r') != std::string_view::npos)
+            refuse(lines.number(), "a carriage return within the line; save the file with line feeds");
         const std::string_view keyword = next_word(line);
         if (keyword == "f") {
             result.expected_triangles += faces.read(line, lines.number(), result.positions.size());

@@ -215,7 +215,7 @@ private:
             corners_.push_back(static_cast<std::uint32_t>(vertex));
         }
         if (corners_.size() >= 3) result_.expected_triangles += corners_.size() - 2;
-        surface_.add_face(corners_);
+        if (!corners_.empty()) surface_.add_face(corners_);  // assimp crashes on none
     }
 
     void skip(const Element& element, const Property& property, std::uint64_t row) {

@@ -43,11 +43,17 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
     return {};
 }
 
+constexpr const char* no_faces = "it has no faces; a surface is needed";
+
+bool counts_triangles(FormatId format) {
+    return format == FormatId::obj || format == FormatId::ply || format == FormatId::off || format == FormatId::gltf;
+}
+
 // Formats are empty in many words.
 bool tells_of_nothing(const std::string& text) {
-    for (const char* words :
-         {"file is too small", "mNumMeshes is 0", "contains no faces", "has no faces", "contains no vertices",
-          "no valid vertices", "There are no facets", "Unable to extract mesh data", "No root node"}) {
+    for (const char* words : {"file is too small", "mNumMeshes is 0", "contains no faces", "has no faces",
+                              "contains no vertices", "no valid vertices", "no valid faces", "There are no facets",
+                              "Unable to extract mesh data", "No root node"}) {
         if (text.find(words) != std::string::npos) return true;
     }
     return false;
@@ -57,7 +63,7 @@ bool tells_of_nothing(const std::string& text) {
 std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (tells_of_nothing(text)) return "it has no faces; a surface is needed";
+    if (tells_of_nothing(text)) return no_faces;
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
         text.replace(at, path.size(), "the file");
     return "it cannot be read: it is damaged, cut short, or of a version that is not known; export it again, or in "
@@ -106,6 +112,8 @@ Source look_at(const std::string& path, const Format& format, Purpose purpose) {
     if (source.bytes.empty()) refuse("the file is empty");
     undisguise(source.bytes, format.id);
     source.scan = prescan(source.bytes, format.id, purpose);
+    if (purpose == Purpose::shell && counts_triangles(format.id) && source.scan.expected_triangles == 0)
+        refuse(no_faces);
     for (const ExternalBuffer& buffer : source.scan.buffers) source.buffers.push_back(read_buffer(path, buffer));
     return source;
 }

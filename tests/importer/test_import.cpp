@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "importer/import_checks.h"
+#include "importer/input_files.h"
 #include "importer/obj_text.h"
 #include "importer/temp_folder.h"
 #include "mesh/shapes.h"
@@ -120,6 +121,30 @@ TEST(Import, APlyIsReadAsItsHeaderSays) {
     EXPECT_EQ(seen.report.locked, 8u);
     EXPECT_EQ(seen.asset.shell.positions, shapes::box().positions);
     EXPECT_EQ(seen.asset.shell.triangles, shapes::box().triangles);
+}
+
+TEST(Import, FacesOfAPlyMayHaveAnyNumberOfCorners) {
+    const TempFolder folder;
+    std::string ply = ply_text(" 0 255 255", "\n");
+    ply.replace(ply.find("face 12"), 7, "face 15");
+    const Result result = import_shell(folder.write("a.ply", ply + "0\n1 3\n2 0 1\n"));
+    EXPECT_EQ(result.report.triangles, 12u);
+    EXPECT_EQ(result.report.shell.points_and_lines, 2u);
+}
+
+TEST(Import, AFileWithoutFacesIsRefusedByALookAtItsBytesToo) {
+    const TempFolder folder;
+    const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+    for (const auto& [name, text] :
+         {std::pair<std::string, std::string>{
+              "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" + xyz + "end_header\n0 0 0\n"},
+          {"a.off", "OFF\n1 0 0\n0 0 0\n"},
+          {"a.gltf", R"({"asset": {"version": "2.0"}})"}}) {
+        Sources sources;
+        sources.shell = folder.write(name, text);
+        EXPECT_TRUE(contains(refusal_of_file(sources.shell).message, "no faces")) << name;
+        EXPECT_TRUE(contains(test::refusal_of([&] { look_at_inputs(sources); }).message, "no faces")) << name;
+    }
 }
 
 TEST(Import, PaintThatIsNoVertexsIsToldWhereNoVertexHasAny) {

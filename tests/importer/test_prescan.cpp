@@ -84,6 +84,11 @@ TEST(PrescanObj, RefusesColoursThatAssimpReadsAsSomethingElse) {
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1 1 x\nf 1 1 1\n"), "line 1: the colour 'x'"));
 }
 
+TEST(PrescanObj, RefusesACarriageReturnWithinALine) {
+    EXPECT_TRUE(contains(obj_message("v 0 0 0\nv 1\r 0 0\n"), "line 2: a carriage return"));
+    EXPECT_TRUE(contains(obj_message("# a\rv 0 0 0\nv 1 0 0\n", Purpose::visual), "line 1: a carriage return"));
+}
+
 TEST(PrescanObj, CountsPolypaint) {
     EXPECT_EQ(prescan_obj("v 0 0 0\nv 1 0 0\n#MRGB ff000000ffffffff\n#MRGB ff0000\nf 1 2 1\n", Purpose::shell)
                   .unread.polypaint,
@@ -427,7 +432,10 @@ TEST(PrescanGltf, ChoosesTheSceneThatIsRead) {
     const auto scan = [&](const std::string& scenes) { return prescan_gltf(gltf(scenes + nodes)); };
     EXPECT_EQ(scan(R"("scenes": [{"nodes": [0, 1]}], )").unread.nodes, 0u);
     EXPECT_EQ(scan(R"("scenes": [{"nodes": [1]}, {"nodes": [0]}], )").unread.nodes, 1u);
-    EXPECT_EQ(scan(R"("scene": 1, "scenes": [{"nodes": [1]}, {}], )").unread.nodes, 2u);
+    EXPECT_TRUE(
+        contains(gltf_message(gltf(R"("scene": 1, "scenes": [{"nodes": [1]}, {}], )" + nodes)), "holds no mesh"));
+    const Prescan all = scan(R"("scenes": [{"nodes": [2, 1, 0]}], )");
+    EXPECT_TRUE(contains(all.surface_only, R"("scenes":[{"nodes":[1,0]}])")) << "2 is below 1";
     EXPECT_TRUE(contains(scan(R"("scenes": [{"nodes": [1]}], )").surface_only, R"("scene":0)"));
     const Prescan none = scan("");
     EXPECT_EQ(none.unread.nodes_of_no_scene, 2u);
@@ -445,6 +453,7 @@ TEST(PrescanGltf, RefusesScenesOfNodesThatAreNotThere) {
     EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [{"nodes": [0]}])")), "scene 0 has a node that is not there"));
     EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [{"nodes": [0, 0]}], "nodes": [{}])")), "node 0 twice"));
     EXPECT_TRUE(contains(gltf_message(gltf(R"("scenes": [7])")), "scenes is not an object"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"mesh": 0}])")), "node 0 has a mesh that is not there"));
 }
 
 TEST(PrescanGltf, AVisualMeshMayBePaintedInAnyWay) {
