@@ -17,9 +17,9 @@ struct CarrierMotion {
 };
 
 // What the deforming part does to the rigid body, in the world, the torque about the frame's origin. The rigid body has
-// the mass of the whole and bears its weight itself. With P the momentum of the nodes relative to the frame and J what
-// obstacles, hits and forces gave:  force dt = J - change of P,
-// both seen from the world, so no momentum is lost between the two.
+// the mass of the whole, as it lies at rest, and bears its weight itself. With P the momentum that the nodes have
+// beside it, since they move in the frame and have moved from their places, and J what obstacles, hits and forces gave:
+// force dt = J - change of P,  both seen from the world, so no momentum is lost between the two.
 struct CarrierLoad {
     Vec3 force;   // N
     Vec3 torque;  // N m

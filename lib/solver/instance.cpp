@@ -99,25 +99,82 @@ Vec3 turned(Vec3 v, Vec3 turn) {
     return v * std::cos(angle) + cross(n, v) * std::sin(angle) + n * (dot(n, v) * (1 - std::cos(angle)));
 }
 
-// How much faster the rigid body will turn for it, if its mass lies as the nodes' did at rest.
-Vec3 turn_by(const Model& model, const InstanceInput& input, const Six& push) {
+// The change of the rigid body's motion for a push, if its mass lies as the nodes' did at rest.
+Six answer_to(const Model& model, const InstanceInput& input, const Six& push) {
     const double more = std::max(1.0, input.carrier_mass / model.rest_mass.mass());
-    return angular_part(times(inverse_of(model.rest_mass.matrix(), 1e-12), push)) / more;
+    Six answer = times(inverse_of(model.rest_mass.matrix(), 1e-12), push);
+    for (double& x : answer) x /= more;
+    return answer;
 }
 
-CarrierLoad load_of(const Model& model, const Frame& frame, const InstanceInput& input, const Six& before,
-                    const Six& after, const Six& given) {
+// How it turns once it has turned on for a step: its angular momentum stays where it was in the world.
+Vec3 turning_on(const Model& model, Vec3 turn, double dt) {
+    const Six spin = times(model.rest_mass.matrix(), {0, 0, 0, turn.x, turn.y, turn.z});
+    const Vec3 p = turned(linear_part(spin), turn * -dt);
+    const Vec3 l = turned(angular_part(spin), turn * -dt);
+    return angular_part(times(inverse_of(model.rest_mass.matrix(), 1e-12), {p.x, p.y, p.z, l.x, l.y, l.z}));
+}
+
+// What the nodes have of the whole's momentum beside the rigid body's, whose mass lies as theirs did at rest: in its
+// frame they move, and with it they turn where they are now.
+struct Share {
+    Six moving;
+    Matrix6 shifted;  // of the mass, from rest
+    Vec3 shift;       // sum of m (x - X)
+    [[nodiscard]] Six at(Vec3 turn) const {
+        Six sum = times(shifted, {0, 0, 0, turn.x, turn.y, turn.z});
+        add_to(sum, 1, moving);
+        return sum;
+    }
+};
+
+Share share_of(const Model& model, const State& state) {
+    PointMasses now;
+    for (std::size_t node = 0; node < model.node_count; ++node) {
+        now.add(static_cast<double>(model.bundle.mass[node]), widen(position(state, node)));
+    }
+    const PointMasses& rest = model.rest_mass;
+    Share share{momentum_of(model, state), now.matrix(), now.centre() * now.mass() - rest.centre() * rest.mass()};
+    const Matrix6 before = rest.matrix();
+    for (std::size_t i = 0; i < 36; ++i) share.shifted[i] -= before[i];
+    return share;
+}
+
+Vec3 turn_of(const InstanceInput& input, const Frame& frame) {
+    return widen(frame.vector(input.carrier.angular_velocity));
+}
+
+// Each pass leaves of the error the part of the mass that has shifted.
+constexpr int passes = 8;
+
+// With S the nodes' share, q their shift and J what was given, about the frame's origin:
+//     force dt = J - change of S,   torque dt = J - change of S - q x change of the origin's velocity.
+CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, const InstanceInput& input,
+                    const Share& before, const Six& given) {
     const double dt = static_cast<double>(input.dt);
+    const Vec3 turn = turn_of(input, frame);
+    const Share after = share_of(model, state);
     Six push = given;
-    add_to(push, 1, before);
-    Six still = push;
-    add_to(still, -1, after);
-    // Seen from the world the momentum relative to the frame also turns with the frame, by its new velocity.
-    Vec3 turn = widen(frame.vector(input.carrier.angular_velocity));
-    if (input.is_carrier_free) turn += turn_by(model, input, still);
-    const Vec3 force = (linear_part(push) - turned(linear_part(after), turn * dt)) / dt;
-    const Vec3 torque = (angular_part(push) - turned(angular_part(after), turn * dt)) / dt;
-    return {frame.to_world(force), frame.to_world(torque)};
+    add_to(push, 1, before.at(turn));
+    // What is left to a free carrier depends on how it will turn. Seen from the world the nodes' share turns too.
+    Six answer{};
+    Vec3 new_turn = turn;
+    Vec3 force, torque;
+    double last_change = 1e300;
+    for (int pass = 0; pass < passes; ++pass) {
+        const Six left = after.at(input.is_carrier_free ? turning_on(model, new_turn, dt) : turn);
+        const Vec3 lever = cross(before.shift, linear_part(answer));
+        force = linear_part(push) - turned(linear_part(left), new_turn * dt);
+        torque = angular_part(push) - turned(angular_part(left), new_turn * dt) - lever;
+        if (!input.is_carrier_free) break;
+        const Six next = answer_to(model, input, {force.x, force.y, force.z, torque.x, torque.y, torque.z});
+        const double change = length(angular_part(next) - angular_part(answer));
+        if (!(change < last_change)) break;  // a body that has left its carrier behind
+        last_change = change;
+        answer = next;
+        new_turn = turn + angular_part(answer);
+    }
+    return {frame.to_world(force / dt), frame.to_world(torque / dt)};
 }
 
 }
@@ -135,7 +192,7 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
     if (report.is_asleep) return report;
     if (is_asleep(state)) wake(state);
 
-    const Six before = momentum_of(model, state);
+    const Share before = share_of(model, state);
     Six given{};
     for (const Hit& hit : input.hits) {
         const Vec3f point = frame.point(hit.position);
@@ -164,7 +221,7 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
     const Vec3 impulse = report.step.impulse;
     const Vec3 angular = report.step.angular_impulse;
     add_to(given, 1, {impulse.x, impulse.y, impulse.z, angular.x, angular.y, angular.z});
-    report.load = load_of(model, frame, input, before, momentum_of(model, state), given);
+    report.load = load_of(model, state, frame, input, before, given);
     watch_sleep(model, state, input, report.step, step_input.gravity);
     return report;
 }
