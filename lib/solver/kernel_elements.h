@@ -153,12 +153,12 @@ inline void write_forces(const Moduli& moduli, float dt, const Lanes (&r)[9], co
     scatter4(out, 16, zero - sum[0], zero - sum[1], zero - sum[2], zero);
 }
 
-template <Last is>
-Rotor rotation_of(const ElementJob& job, const TetPacket& packet, const Rotor& last, const std::uint8_t* collapse,
-                  int lane, const Edges& d, const Lanes (&g)[9], const Lanes (&f)[9], Lanes det, Mask is_bad) {
+inline Rotor rotation_of(const ElementJob& job, const TetPacket& packet, const Rotor& last,
+                         const std::uint8_t* collapse, int lane, const Edges& d, const Lanes (&g)[9],
+                         const Lanes (&f)[9], Lanes det, Mask is_bad) {
     const auto rotate = [&](const Lanes(&of)[9]) {
         return job.settings.rotation ? rotation_by_function(job.settings.rotation, of, last)
-                                     : nearest_rotation<is>(of, last);
+                                     : nearest_rotation(of, last);
     };
     if (bits(is_bad) == 0 || job.settings.treatment == Treatment::off) return rotate(f);
     const Treated treated = treat(job, packet, collapse, lane, d, g, f, det, is_bad);
@@ -210,9 +210,10 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
     const Lanes det = determinant(f);
     const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
     update_collapse(job, packet, state.collapse + lane, lane, bits(is_bad));
-    // The energies at the end of the last step left the rotations of where it went.
-    const Rotor q = rotation_of<Last::maybe_this>(job, packet, load_rotor(state.rotation, lane), state.collapse + lane,
-                                                  lane, d, g, f, det, is_bad);
+    // Where nobody has moved the nodes since, the energies at the end of the last step left their rotations.
+    const Rotor last = load_rotor(state.rotation, lane);
+    const bool is_left = bits(is_bad) == 0 && !job.settings.rotation && bits(is_nearest(f, last)) == everyone;
+    const Rotor q = is_left ? last : rotation_of(job, packet, last, state.collapse + lane, lane, d, g, f, det, is_bad);
     store_rotor(q, state.rotation, lane);
     to_matrix(q, r);
 
@@ -270,7 +271,7 @@ inline double elastic_energies(const ElementJob& job, std::size_t begin, std::si
             const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
             update_collapse(job, packet, collapse + lane, lane, bits(is_bad));
             const Rotor last = load_rotor(state.rotation, lane);
-            const Rotor q = rotation_of<Last::earlier>(job, packet, last, collapse + lane, lane, d, g, f, det, is_bad);
+            const Rotor q = rotation_of(job, packet, last, collapse + lane, lane, d, g, f, det, is_bad);
             // What a degenerate tet does depends on its last rotation: that of a way not taken must not stay.
             store_rotor(select(is_bad, last, q), state.rotation, lane);
             to_matrix(q, r);
@@ -287,7 +288,7 @@ inline void extract_rotations(RotationPacket* packets, std::size_t begin, std::s
         for (int lane = 0; lane < static_cast<int>(packet_size); lane += Lanes::width) {
             Lanes f[9];
             load_gradients(packets[p].f, lane, f);
-            const Rotor q = nearest_rotation<Last::earlier>(f, load_rotor(packets[p].rotation, lane));
+            const Rotor q = nearest_rotation(f, load_rotor(packets[p].rotation, lane));
             store_rotor(q, packets[p].rotation, lane);
         }
     }

@@ -69,8 +69,7 @@ inline Rotor normalized(const Rotor& q) {
 
 // Of the trace: what a step leaves of it is its square or less.
 inline constexpr float nearly_symmetric = 2e-3f;
-inline constexpr float symmetric_to_float = 1e-4f;  // what a step leaves of this is rounding
-inline constexpr int polish_steps = 3;              // after a cold start
+inline constexpr int polish_steps = 3;  // after a cold start
 
 inline constexpr unsigned everyone = (1u << Lanes::width) - 1;
 
@@ -80,7 +79,6 @@ struct NewtonStep {
     // trace larger: H is positive definite, which tells the nearest rotation from the other places where the skew part
     // vanishes. False for what is not finite.
     Mask arrives;
-    Mask was_there;  // and R^T F was so nearly symmetric that nothing but rounding is left
 };
 
 // REQUIRES: ff = |F|^2 inside the bounds below, so that nothing overflows.
@@ -102,10 +100,8 @@ inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
     Lanes ny = dot3(cd, ce, ch, gx, gy, gz);
     Lanes nz = dot3(cc, ch, ci, gx, gy, gz);
     const Lanes limit = (b[0] + e + b[4]) * Lanes::all(nearly_symmetric);
-    const Lanes skew = dot3(gx, gy, gz, gx, gy, gz);
-    const Mask arrives = (skew <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
-    const Lanes tight = limit * Lanes::all(symmetric_to_float / nearly_symmetric);
-    const Mask was_there = arrives & (skew <= tight * tight);
+    const Mask arrives =
+        (dot3(gx, gy, gz, gx, gy, gz) <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
     // Where H is singular or the step would climb, go down the gradient instead.
     const Mask is_good = (det * det > Lanes::all(1e-14f) * ff * ff * ff) & (zero <= dot3(nx, ny, nz, gx, gy, gz) * det);
     Lanes under = det * Lanes::all(-4);
@@ -128,8 +124,27 @@ inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
     return {{fma(q.w, nx, fma(q.x, s, fnma(q.z, ny, q.y * nz))), fma(q.w, ny, fma(q.y, s, fnma(q.x, nz, q.z * nx))),
              fma(q.w, nz, fma(q.z, s, fnma(q.y, nx, q.x * ny))),
              fma(q.w, s, fnma(q.x, nx, fnma(q.y, ny, zero - q.z * nz)))},
-            arrives,
-            was_there};
+            arrives};
+}
+
+// Of the trace: so much skew is rounding.
+inline constexpr float symmetric_to_float = 1e-6f;
+
+// Where q is the rotation nearest to F already, as far as float can tell: R^T F is symmetric, and no turn makes its
+// trace larger.
+inline Mask is_nearest(const Lanes (&f)[9], const Rotor& q) {
+    Lanes r[9], b[9];
+    to_matrix(q, r);
+    transposed_times(r, f, b);
+    const Lanes gx = b[5] - b[7], gy = b[6] - b[2], gz = b[1] - b[3];
+    const Lanes half = Lanes::all(-0.5f);
+    const Lanes a = b[4] + b[8], e = b[0] + b[8], i = b[0] + b[4];
+    const Lanes d = (b[1] + b[3]) * half, c = (b[2] + b[6]) * half, h = (b[5] + b[7]) * half;
+    const Lanes ci = fnma(d, d, a * e);
+    const Lanes det = dot3(a, d, c, fnma(h, h, e * i), fnma(d, i, c * h), fnma(c, e, d * h));
+    const Lanes limit = (b[0] + e + b[4]) * Lanes::all(symmetric_to_float);
+    const Lanes zero = Lanes::all(0);
+    return (dot3(gx, gy, gz, gx, gy, gz) <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
 }
 
 // The 2 x 2 minors of two rows of a 4 x 4 matrix, columns 01 02 03 12 13 23.
@@ -207,12 +222,8 @@ inline void scale_to_one(Lanes (&f)[9], Lanes ff) {
 inline constexpr float least_squared = 1e-5f;
 inline constexpr float largest_squared = 1e5f;
 
-// Whether the last rotation may be that of this very F.
-enum class Last { earlier, maybe_this };
-
 // The rotation nearest to F, from the last one; the last one where F has none.
-template <Last is>
-Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
+inline Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
     Lanes f[9];
     for (int i = 0; i < 9; ++i) f[i] = f_any_size[i];
     Lanes ff = squared_norm(f);
@@ -220,9 +231,7 @@ Rotor nearest_rotation(const Lanes (&f_any_size)[9], const Rotor& last) {
         scale_to_one(f, ff);
         ff = Lanes::all(1);
     }
-    NewtonStep step = newton_step(f, ff, last);
-    if (is == Last::maybe_this && bits(step.was_there) == everyone) return step.q;
-    step = newton_step(f, ff, step.q);
+    NewtonStep step = newton_step(f, ff, newton_step(f, ff, last).q);
     if (bits(step.arrives) == everyone) return step.q;
     step = newton_step(f, ff, step.q);
     if (bits(step.arrives) == everyone) return step.q;

@@ -154,7 +154,8 @@ TEST(S3BeamCollapse, ComesBackWholeWhenItIsStiffAgain) {
         for (int way = 0; way < ways; ++way) {
             whole += comes_back(settings, -9.81f * (1 + 1e-5f * static_cast<float>(way))) ? 1 : 0;
         }
-        if (treatment != Treatment::project) EXPECT_GE(whole, ways / 2) << name_of(treatment);
+        if (treatment == Treatment::project) continue;
+        EXPECT_GE(whole, ways / 2) << name_of(treatment);
     }
 }
 
