@@ -169,7 +169,8 @@ CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, 
         if (!input.is_carrier_free) break;
         const Six next = answer_to(model, input, {force.x, force.y, force.z, torque.x, torque.y, torque.z});
         const double change = length(angular_part(next) - angular_part(answer));
-        if (!(change < last_change)) break;  // a body that has left its carrier behind
+        // The lever comes with the second pass. A body that has left its carrier behind never settles.
+        if (pass > 1 && !(change < last_change)) break;
         last_change = change;
         answer = next;
         new_turn = turn + angular_part(answer);
