@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/counted.h"
 #include "core/error.h"
 
 namespace crumple::importer::gltf {
@@ -143,8 +144,9 @@ void choose_scene(Json& document, Unread& unread) {
     const std::uint64_t read = count_with_mesh_below(nodes, scene["nodes"]);
     unread.nodes = count_with_mesh(nodes) - read;
     if (read == 0 && unread.nodes > 0)
-        refuse("the scene that is read holds no mesh, all " + std::to_string(unread.nodes) +
-               " are outside it; export the scene that they belong to");
+        refuse("the scene that is read holds no mesh; " +
+               counted(unread.nodes, "node with one is", "nodes with one are") +
+               " outside it: export the scene that they belong to");
 }
 
 }
