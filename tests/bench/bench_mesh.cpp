@@ -2,7 +2,8 @@
 // The whole way from a shell to tets against other mesh generators: how many tets, how good, how near to the shell, at
 // what price. One row a shell and tool:
 //   crumple            default settings
-//   crumple_matched    as many interior points as bring the tets within a tenth of HXT's (TetGen's where HXT fails)
+//   crumple_matched    as many interior points, and where none are too many as dear nodes of finish, as bring the tets
+//                      within a tenth of HXT's (TetGen's where HXT fails)
 //   crumple_peel       as crumple, finish.mode peel
 //   crumple_none       as crumple, finish.mode none
 //   tetgen, hxt, gmsh  as packaged by Debian
