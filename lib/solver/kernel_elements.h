@@ -210,10 +210,8 @@ inline ElementCounts step_lanes(const ElementJob& job, std::size_t p, int lane, 
     const Lanes det = determinant(f);
     const Mask is_bad = !(det > Lanes::all(job.settings.degenerate_threshold));
     update_collapse(job, packet, state.collapse + lane, lane, bits(is_bad));
-    // Where nobody has moved the nodes since, the energies at the end of the last step left their rotations.
     const Rotor last = load_rotor(state.rotation, lane);
-    const bool is_left = bits(is_bad) == 0 && !job.settings.rotation && bits(is_nearest(f, last)) == everyone;
-    const Rotor q = is_left ? last : rotation_of(job, packet, last, state.collapse + lane, lane, d, g, f, det, is_bad);
+    const Rotor q = rotation_of(job, packet, last, state.collapse + lane, lane, d, g, f, det, is_bad);
     store_rotor(q, state.rotation, lane);
     to_matrix(q, r);
 

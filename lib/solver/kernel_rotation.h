@@ -127,26 +127,6 @@ inline NewtonStep newton_step(const Lanes (&f)[9], Lanes ff, const Rotor& q) {
             arrives};
 }
 
-// Of the trace: so much skew is rounding.
-inline constexpr float symmetric_to_float = 1e-6f;
-
-// Where q is the rotation nearest to F already, as far as float can tell: R^T F is symmetric, and no turn makes its
-// trace larger.
-inline Mask is_nearest(const Lanes (&f)[9], const Rotor& q) {
-    Lanes r[9], b[9];
-    to_matrix(q, r);
-    transposed_times(r, f, b);
-    const Lanes gx = b[5] - b[7], gy = b[6] - b[2], gz = b[1] - b[3];
-    const Lanes half = Lanes::all(-0.5f);
-    const Lanes a = b[4] + b[8], e = b[0] + b[8], i = b[0] + b[4];
-    const Lanes d = (b[1] + b[3]) * half, c = (b[2] + b[6]) * half, h = (b[5] + b[7]) * half;
-    const Lanes ci = fnma(d, d, a * e);
-    const Lanes det = dot3(a, d, c, fnma(h, h, e * i), fnma(d, i, c * h), fnma(c, e, d * h));
-    const Lanes limit = (b[0] + e + b[4]) * Lanes::all(symmetric_to_float);
-    const Lanes zero = Lanes::all(0);
-    return (dot3(gx, gy, gz, gx, gy, gz) <= limit * limit) & (limit > zero) & (a > zero) & (ci > zero) & (det > zero);
-}
-
 // The 2 x 2 minors of two rows of a 4 x 4 matrix, columns 01 02 03 12 13 23.
 struct Minors {
     Lanes m01, m02, m03, m12, m13, m23;
