@@ -7,7 +7,6 @@
 #include "finish/edge_removal.h"
 #include "finish/face_removal.h"
 #include "finish/insertion.h"
-#include "finish/node_operations.h"
 #include "finish/node_steps.h"
 #include "geometry/predicates.h"
 
