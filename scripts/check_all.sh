@@ -58,7 +58,7 @@ fuzz_one() {
 }
 
 run_fuzz() {
-    scripts/build.sh fuzz
+    scripts/build.sh fuzz fuzz_targets
     export -f fuzz_one
     export minutes
     find build/fuzz/tests/fuzz -maxdepth 1 -name 'fuzz_*' -type f -executable -printf '%f\n' | sort |
