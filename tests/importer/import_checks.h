@@ -46,6 +46,14 @@ Refusal refusal_of(Function&& function) {
     return {};
 }
 
+// What a refusal of the content says; empty without one.
+template <class Function>
+std::string bad_input_of(Function&& function) {
+    const Refusal refusal = refusal_of(function);
+    EXPECT_TRUE(refusal.message.empty() || refusal.kind == ErrorKind::bad_input);
+    return refusal.message;
+}
+
 inline Refusal refusal_of_file(const std::string& path, const importer::Params& params = {}) {
     return refusal_of([&] { (void)import_shell(path, params); });
 }

@@ -128,7 +128,7 @@ TEST(Printable, KeepsUtf8AndReplacesTheRest) {
     EXPECT_EQ(printable("\xed\xa0\x80"), "?\?\?");  // surrogate
     EXPECT_EQ(printable("\xf5\x80\x80\x80"), "?\?\?\?");
     EXPECT_EQ(printable(std::string_view("a\0b\x7f", 4)), "a?b?");
-    const std::string longest = printable(std::string(199, 'a') + "\xc3\xa4");
+    const std::string longest = printable(std::string(199, 'a').append("\xc3\xa4"));
     EXPECT_EQ(longest, std::string(199, 'a'));  // cut before the character that does not fit
 }
 
