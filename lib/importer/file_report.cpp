@@ -18,6 +18,7 @@ FileReport report_file(const std::string& name, const Format& format, const Plac
     report.meshes = surface.parts.size();
     report.vertices = surface.source_vertex_count;
     report.triangles = surface.triangles.size();
+    report.points_and_lines = scene.unread.points_and_lines;
     for (const SceneMesh& mesh : scene.meshes) {
         report.points_and_lines += mesh.points_and_lines;
         report.unreadable_polygons += mesh.unreadable_polygons;

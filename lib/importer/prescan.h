@@ -42,8 +42,8 @@ struct Prescan {
 
 // All throw Error(bad_input) that says where in the file.
 
-// A shell's `v` lines have 3 numbers, or all 6 (colours, which assimp reads as we do); a visual mesh's may have colours
-// with alpha or a weight of 1 besides. Objects and materials are not more than assimp can tell apart in a few seconds.
+// A shell's `v` lines have 3 numbers, or all 6 (colours); a visual mesh's may have colours with alpha or a weight of 1
+// besides. Objects and materials are not more than assimp can tell apart in a few seconds.
 [[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
 
 // The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist. A

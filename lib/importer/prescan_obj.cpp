@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <unordered_set>
+#include <vector>
 
 #include "core/error.h"
-#include "importer/assimp_number.h"
 #include "importer/coordinate.h"
+#include "importer/obj_surface.h"
 #include "importer/paint.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
@@ -20,6 +22,16 @@ namespace {
     throw Error(ErrorKind::bad_input, "line " + std::to_string(line) + ": " + what);
 }
 
+bool ends_in_a_comment(std::string_view line) {
+    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+        if (word[0] == '#') return true;
+    }
+    return false;
+}
+
+// A backslash at the end of a comment is a folder's, say.
+bool goes_on(std::string_view line) { return !line.empty() && line.back() == '\\' && !ends_in_a_comment(line); }
+
 // A line of OBJ, with the lines a backslash joins to it.
 class Lines {
 public:
@@ -30,9 +42,9 @@ public:
         joined_ = 0;
         if (left_.empty()) return false;
         line = take();
-        if (line.empty() || line.back() != '\\') return true;
+        if (!goes_on(line)) return true;
         buffer_.clear();
-        while (!line.empty() && line.back() == '\\') {
+        while (goes_on(line)) {
             buffer_.append(line.substr(0, line.size() - 1)).push_back(' ');
             line = left_.empty() ? std::string_view{} : take();
         }
@@ -81,14 +93,6 @@ Vec3f exact_position(const VertexLine& vertex, std::size_t line) {
     return position;
 }
 
-Vec3f assimp_position(const VertexLine& vertex, Vec3f exact) {
-    Vec3f position;
-    for (int axis = 0; axis < 3; ++axis) {
-        position[axis] = as_assimp_reads(vertex.words[static_cast<std::size_t>(axis)]).value_or(exact[axis]);
-    }
-    return position;
-}
-
 bool is_one(std::string_view word) { return to_number<double>(word) == 1.0; }
 
 // x y z; with a weight of 1; with a colour; with a colour and alpha.
@@ -114,18 +118,16 @@ void check_number_count(const VertexLine& vertex, std::size_t& first_count, std:
 // Faces may refer to vertices that come later, so the largest number is compared at the end.
 class Faces {
 public:
-    // Returns the number of triangles of an `f` line.
-    std::uint64_t read(std::string_view text, std::size_t line, std::size_t vertices_so_far) {
-        std::uint64_t corners = 0;
-        for (std::string_view word = next_word(text); !word.empty() && word[0] != '#'; word = next_word(text)) {
-            check_corner(word, line, vertices_so_far);
-            ++corners;
-        }
-        if (corners < 3) {
-            refuse(line, "an `f` line of " + std::to_string(corners) +
+    // The corners of an `f` line, from 0.
+    std::span<const std::uint64_t> read(std::string_view text, std::size_t line, std::size_t vertices_so_far) {
+        corners_.clear();
+        for (std::string_view word = next_word(text); !word.empty() && word[0] != '#'; word = next_word(text))
+            corners_.push_back(read_corner(word, line, vertices_so_far));
+        if (corners_.size() < 3) {
+            refuse(line, "an `f` line of " + std::to_string(corners_.size()) +
                              " corners; a face has at least 3 (the file may be cut short)");
         }
-        return corners - 2;
+        return corners_;
     }
 
     void check_against(std::size_t vertex_count) const {
@@ -133,23 +135,26 @@ public:
     }
 
 private:
-    void check_corner(std::string_view word, std::size_t line, std::size_t vertices_so_far) {
+    std::uint64_t read_corner(std::string_view word, std::size_t line, std::size_t vertices_so_far) {
         const std::string_view number = word.substr(0, word.find('/'));
         const auto vertex = to_number<std::int64_t>(number);
         if (!vertex) refuse(line, in_quotes(word) + " is no corner of a face; write a vertex number");
         // Numbers below 0 count backwards from the last vertex.
-        const bool is_before_first = *vertex < 0 && -*vertex > static_cast<std::int64_t>(vertices_so_far);
-        if (*vertex == 0 || is_before_first) refuse_missing(std::string(number), line, vertices_so_far);
-        if (*vertex > 0 && static_cast<std::uint64_t>(*vertex) > largest_) {
-            largest_ = static_cast<std::uint64_t>(*vertex);
+        const std::int64_t from_1 = *vertex < 0 ? *vertex + static_cast<std::int64_t>(vertices_so_far) + 1 : *vertex;
+        if (from_1 <= 0) refuse_missing(std::string(number), line, vertices_so_far);
+        const auto corner = static_cast<std::uint64_t>(from_1);
+        if (corner > largest_) {
+            largest_ = corner;
             line_of_largest_ = line;
         }
+        return corner - 1;
     }
 
     [[noreturn]] static void refuse_missing(const std::string& vertex, std::size_t line, std::size_t count) {
         refuse(line, "a face refers to vertex " + vertex + " of " + std::to_string(count) + "; the file is damaged");
     }
 
+    std::vector<std::uint64_t> corners_;  // of the last line
     std::uint64_t largest_ = 0;
     std::size_t line_of_largest_ = 0;
 };
@@ -191,18 +196,15 @@ void check_is_surface(const Prescan& scan) {
                                           : "it has no faces, only points; a surface is needed");
 }
 
-// The red of a `v` line. One that assimp reads as something else would lock or free a vertex.
-float red_of(const VertexLine& vertex, std::size_t line) {
-    for (std::size_t i = 3; i < 6; ++i) {
-        if (!to_number<double>(vertex.words[i]))
-            refuse(line, "the colour " + in_quotes(vertex.words[i]) + " is not a number");
+Vec3f color_of(const VertexLine& vertex, std::size_t line) {
+    Vec3f color;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::string_view word = vertex.words[static_cast<std::size_t>(3 + channel)];
+        const auto value = to_number<double>(word);
+        if (!value) refuse(line, "the colour " + in_quotes(word) + " is not a number");
+        color[channel] = static_cast<float>(*value);
     }
-    const auto red = static_cast<float>(*to_number<double>(vertex.words[3]));
-    const auto read = as_assimp_reads(vertex.words[3]);
-    if (!read || is_locked(*read) != is_locked(red))
-        refuse(line,
-               "the reader makes something else of the red " + in_quotes(vertex.words[3]) + "; write a plain number");
-    return red;
+    return color;
 }
 
 // The vertices that a line of ZBrush's polypaint gives a colour: 8 digits each, MMRRGGBB.
@@ -211,54 +213,78 @@ std::uint64_t count_polypaint(std::string_view digits) {
     return next_word(digits).size() / digits_a_vertex;
 }
 
-// The same file with nothing but x y z on its `v` lines: assimp knows fewer forms of them.
-std::string without_paint(std::string_view text) {
-    std::string plain;
-    Lines lines(text);
-    for (std::string_view line; lines.next(line);) {
-        std::string_view rest = line;
-        if (next_word(rest) != "v") {
-            plain.append(line) += '\n';
-            continue;
-        }
-        const VertexLine vertex = split(rest);
-        plain += 'v';
-        for (std::size_t axis = 0; axis < 3; ++axis) (plain += ' ').append(vertex.words[axis]);
-        plain += '\n';
-    }
-    return plain;
+// How many points or pieces of a polyline a `p` or `l` line has.
+std::uint64_t count_pieces(std::string_view keyword, std::string_view rest) {
+    const std::size_t words = split(rest).count;
+    return keyword == "l" && words > 0 ? words - 1 : words;
 }
+
+bool parts_or_names(std::string_view keyword) {
+    return keyword == "o" || keyword == "g" || keyword == "usemtl" || keyword == "mtllib";
+}
+
+// Reads the lines one by one and keeps what is a surface.
+class Reader {
+public:
+    Reader(Purpose purpose, Prescan& result) : purpose_(purpose), result_(result) {}
+
+    void read(std::string_view text) {
+        Lines lines(text);
+        for (std::string_view line; lines.next(line);) {
+            if (line.find('\r') != std::string_view::npos)
+                refuse(lines.number(), "a carriage return within the line; save the file with line feeds");
+            const std::string_view keyword = next_word(line);
+            read(keyword, line, lines.number());
+        }
+        faces_.check_against(result_.positions.size());
+        check_is_surface(result_);
+        result_.surface_only = surface_.take();
+    }
+
+private:
+    void read(std::string_view keyword, std::string_view rest, std::size_t line) {
+        if (keyword == "v") return read_vertex(split(rest), line);
+        if (keyword == "f") return read_face(rest, line);
+        if (keyword == "l" || keyword == "p") result_.unread.points_and_lines += count_pieces(keyword, rest);
+        if (keyword == "o" || keyword == "usemtl") names_.read(keyword, rest, line);
+        if (parts_or_names(keyword)) surface_.add_statement(keyword, rest);
+        if (is_free_form(keyword)) ++result_.unread.free_form;
+        if (keyword == "#MRGB") result_.unread.polypaint += count_polypaint(rest);
+    }
+
+    void read_vertex(const VertexLine& vertex, std::size_t line) {
+        check_number_count(vertex, first_count_, line, purpose_);
+        const Vec3f position = exact_position(vertex, line);
+        std::optional<Vec3f> color;
+        if (purpose_ == Purpose::shell && vertex.count == 6) color = color_of(vertex, line);
+        const obj::AsRead read = surface_.add_vertex(position, color);
+        if (color && is_locked(read.red) != is_locked(color->x))
+            refuse(line, "the reader makes something else of the red " + in_quotes(vertex.words[3]) +
+                             "; write 0 or a number well above it");
+        result_.positions.push_back(position);
+        result_.assimp_positions.push_back(read.position);
+        if (color) result_.reds.push_back(color->x);
+    }
+
+    void read_face(std::string_view rest, std::size_t line) {
+        const std::span<const std::uint64_t> corners = faces_.read(rest, line, result_.positions.size());
+        result_.expected_triangles += corners.size() - 2;
+        surface_.add_face(corners);
+    }
+
+    Purpose purpose_;
+    Prescan& result_;
+    std::size_t first_count_ = 0;
+    Faces faces_;
+    Names names_;
+    obj::SurfaceWriter surface_;
+};
 
 }
 
 Prescan prescan_obj(std::string_view text, Purpose purpose) {
     Prescan result;
-    Lines lines(text);
-    Faces faces;
-    Names names;
-    std::size_t first_count = 0;
-    bool has_paint = false;
-    for (std::string_view line; lines.next(line);) {
-        if (line.find('\r') != std::string_view::npos)
-            refuse(lines.number(), "a carriage return within the line; save the file with line feeds");
-        const std::string_view keyword = next_word(line);
-        if (keyword == "f") {
-            result.expected_triangles += faces.read(line, lines.number(), result.positions.size());
-        }
-        if (keyword == "o" || keyword == "usemtl") names.read(keyword, line, lines.number());
-        if (is_free_form(keyword)) ++result.unread.free_form;
-        if (keyword == "#MRGB") result.unread.polypaint += count_polypaint(line);
-        if (keyword != "v") continue;
-        const VertexLine vertex = split(line);
-        check_number_count(vertex, first_count, lines.number(), purpose);
-        has_paint = has_paint || vertex.count > 3;
-        result.positions.push_back(exact_position(vertex, lines.number()));
-        result.assimp_positions.push_back(assimp_position(vertex, result.positions.back()));
-        if (purpose == Purpose::shell && vertex.count == 6) result.reds.push_back(red_of(vertex, lines.number()));
-    }
-    faces.check_against(result.positions.size());
-    check_is_surface(result);
-    if (has_paint && purpose == Purpose::visual) result.surface_only = without_paint(text);
+    Reader(purpose, result).read(text);
     return result;
 }
 

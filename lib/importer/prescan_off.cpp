@@ -118,12 +118,18 @@ Vec3f read_position(std::string_view line, const Lines& lines) {
     return position;
 }
 
-float read_red(std::string_view line, const Lines& lines) {
+// The four numbers of a vertex's colour, one blank behind each; the red goes to `red`.
+std::string read_color(std::string_view line, const Lines& lines, float& red) {
     for (int axis = 0; axis < 3; ++axis) (void)next_word(line);
-    const std::string_view word = next_word(line);
-    const auto red = to_number<double>(word);  // not to_real: assimp reads "-1.#IND" as -1
-    if (!red) refuse(lines.place() + "the red " + in_quotes(word) + " is not a number");
-    return static_cast<float>(*red);
+    std::string color;
+    for (int channel = 0; channel < 4; ++channel) {
+        const std::string_view word = next_word(line);
+        const auto value = to_number<double>(word);  // not to_real: assimp reads "-1.#IND" as -1
+        if (!value) refuse(lines.place() + "the colour " + in_quotes(word) + " is not a number");
+        if (channel == 0) red = static_cast<float>(*value);
+        color.append(word) += ' ';
+    }
+    return color;
 }
 
 // Leaves the line behind the corners.
@@ -145,14 +151,19 @@ std::vector<std::uint64_t> read_polygon(std::string_view& line, const Lines& lin
     return corners;
 }
 
-// What of a visual mesh is a surface, as plain OFF: its colours may be odd, which assimp would refuse.
+// What is a surface and a shell's paint, written as OFF again: assimp takes comments for vertices and faces, and
+// refuses odd colours where nobody needs them.
 class PlainOff {
 public:
-    explicit PlainOff(const Header& header)
-        : text_("OFF\n" + std::to_string(header.vertices) + " " + std::to_string(header.faces) + " 0\n") {}
+    PlainOff(const Header& header, bool has_colors)
+        : text_((has_colors ? "COFF\n" : "OFF\n") + std::to_string(header.vertices) + " " +
+                std::to_string(header.faces) + " 0\n") {}
 
-    void add_vertex(Vec3f position) {
-        for (int axis = 0; axis < 3; ++axis) append(position[axis], axis < 2 ? ' ' : '\n');
+    // color: its words as the file has them, by which assimp tells bytes from shares; may be empty.
+    void add_vertex(Vec3f position, std::string_view color) {
+        for (int axis = 0; axis < 3; ++axis) append(position[axis], ' ');
+        text_.append(color);
+        text_.back() = '\n';
     }
     void add_face(const std::vector<std::uint64_t>& corners) {
         append(corners.size(), ' ');
@@ -183,23 +194,21 @@ void check_counts(const Header& header, const Lines& lines) {
 }
 
 Prescan prescan_off(std::string_view text, Purpose purpose) {
-    const bool is_visual = purpose == Purpose::visual;
     Lines lines(text);
     const Header header = read_header(lines, purpose);
     check_counts(header, lines);
-    PlainOff plain(header);
+    const bool reads_colors = header.has_colors && purpose == Purpose::shell;
+    PlainOff plain(header, reads_colors);
     Prescan result;
     std::string_view line;
     for (std::uint64_t v = 0; v < header.vertices; ++v) {
         if (!lines.next(line))
             refuse("the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) + " vertices");
+        if (purpose == Purpose::shell) check_number_count(line, header, lines);
         result.positions.push_back(read_position(line, lines));
-        if (is_visual) {
-            plain.add_vertex(result.positions.back());
-            continue;
-        }
-        check_number_count(line, header, lines);
-        if (header.has_colors) result.reds.push_back(read_red(line, lines));
+        std::string color;
+        if (reads_colors) color = read_color(line, lines, result.reds.emplace_back());
+        plain.add_vertex(result.positions.back(), color);
     }
     for (std::uint64_t f = 0; f < header.faces; ++f) {
         if (!lines.next(line))
@@ -207,9 +216,9 @@ Prescan prescan_off(std::string_view text, Purpose purpose) {
         const std::vector<std::uint64_t> corners = read_polygon(line, lines, header);
         if (corners.size() > 2) result.expected_triangles += corners.size() - 2;
         if (!next_word(line).empty()) ++result.unread.colored_faces;
-        if (is_visual) plain.add_face(corners);
+        plain.add_face(corners);
     }
-    if (is_visual) result.surface_only = plain.take();
+    result.surface_only = plain.take();
     return result;
 }
 

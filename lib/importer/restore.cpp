@@ -37,6 +37,12 @@ struct PositionHash {
     }
 };
 
+[[noreturn]] void disagree(const std::string& about) {
+    throw Error(ErrorKind::bad_input, "the reader makes something else of " + about +
+                                          " than the file says; export it again with one vertex or face a line and "
+                                          "plain numbers, or in another format");
+}
+
 // Each corner's vertex is found by the position assimp made of it; of equal positions the first serves for all.
 void restore_vertex_list(Prescan scan, Scene& scene) {
     std::unordered_map<Vec3f, Index, PositionHash> vertex_at;
@@ -48,7 +54,7 @@ void restore_vertex_list(Prescan scan, Scene& scene) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         for (const Vec3f& p : scene.meshes[m].positions) {
             const auto found = vertex_at.find(p);
-            if (found == vertex_at.end()) return;
+            if (found == vertex_at.end()) disagree("the vertices");
             file_vertex[m].push_back(found->second);
         }
     }
@@ -65,12 +71,6 @@ bool is_same_number(float exact, float read) {
     // Below the least normal float assimp's digits are few.
     const float least = std::numeric_limits<float>::min();
     return exact == read || std::fabs(exact - read) <= assimp_error * std::fmax(std::fabs(exact), least / assimp_error);
-}
-
-[[noreturn]] void disagree(const std::string& about) {
-    throw Error(ErrorKind::bad_input, "the reader makes something else of " + about +
-                                          " than the file says; export it again with one vertex or face a line and "
-                                          "plain numbers, or in another format");
 }
 
 // The first vertex of which assimp delivered something else, or the number of vertices.

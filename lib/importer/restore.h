@@ -7,8 +7,8 @@
 
 namespace crumple::importer {
 
-// Where the two readings of an OBJ file do not match number by number, assimp's is kept and nothing is restored. For PLY
-// and OFF it throws Error(bad_input) then: assimp has lost its place in the file, and with it locks.
+// Throws Error(bad_input) where the two readings of an OBJ, PLY or OFF file do not match number by number: assimp has lost
+// its place in the file, and with it locks.
 void restore(Prescan scan, Scene& scene);
 
 }

@@ -40,6 +40,7 @@ struct SceneNode {
 struct Unread {
     std::uint64_t bytes = 0;              // behind the last element that its header announces (PLY)
     std::uint64_t free_form = 0;          // curves and surfaces that are not polygons (OBJ)
+    std::uint64_t points_and_lines = 0;   // OBJ; of other formats assimp counts them, see SceneMesh
     std::uint64_t colored_faces = 0;      // with a colour of their own (PLY, OFF)
     std::uint64_t polypaint = 0;          // vertices with a colour in comments of ZBrush (OBJ)
     std::uint64_t nodes = 0;              // with a mesh, outside the scene that is read (glTF)

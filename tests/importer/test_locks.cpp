@@ -6,6 +6,7 @@
 
 #include "importer/import_checks.h"
 #include "importer/temp_folder.h"
+#include "mesh/shapes.h"
 
 namespace crumple::importer {
 namespace {
@@ -168,6 +169,40 @@ TEST(Locks, OddRedsLockOnlyWhenFiniteAndBelowTheThreshold) {
 TEST(Locks, InstancesAreLockedEachInItsPlace) {
     CRUMPLE_NEEDS_DATA();
     EXPECT_EQ(locks_of(import_shell(car_body("instanced2_u8n.glb"))), true_locks("truth_instanced2.bin"));
+}
+
+// Ways to write the same painted box that other readers stumble over.
+TEST(Locks, AnObjIsWhatItsNumbersSayHoweverTheyAreWritten) {
+    const auto painted = [](const std::string& vertex_line, const std::string& extra) {
+        const test::TempFolder folder;
+        std::string text;
+        std::size_t v = 0;
+        for (const Vec3& p : shapes::box().positions) {
+            std::ostringstream line;
+            line << "v " << p.x << ' ' << p.y << ' ' << p.z << (v % 2 == 0 ? " 0 1 1" : " 0.5 0.5 0.5");
+            text += v++ == 4 ? vertex_line : line.str() + "\n";
+        }
+        text += "v 9 9 9 1 1 1\n" + extra;  // unused: corners could move on without leaving the list
+        for (const Triangle& t : shapes::box().triangles)
+            text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) +
+                    "\n";
+        return import_shell(folder.write("box.obj", text));
+    };
+    const Vec3 at = shapes::box().positions[4];
+    std::ostringstream place;
+    place << at.x << ' ' << at.y << ' ' << at.z;
+    const Result plain = painted("v " + place.str() + " 0 1 1\n", "");
+    ASSERT_EQ(plain.report.locked, 4u);
+    const auto expected = locks_of(plain);
+    for (const std::string& line :
+         {"  v " + place.str() + " 0 1 1\n", "v " + place.str() + " .0 1. 1 # 5\n",
+          "\tv  " + place.str() + " +0 .5 .5\n", "# C:\\dir\\\nv " + place.str() + " 0e0 1 1\n"}) {
+        const Result result = painted(line, "l 1 2 3 4 5 6\np 1 2\n");
+        EXPECT_EQ(locks_of(result), expected) << line;
+        EXPECT_EQ(result.asset.shell.positions, plain.asset.shell.positions) << line;
+        EXPECT_EQ(result.report.shell.points_and_lines, 7u);
+    }
+    EXPECT_EQ(painted("v " + place.str() + " .5 .5 .5\n", "").report.locked, 3u);
 }
 
 TEST(Locks, TinyShellLosesNothing) {

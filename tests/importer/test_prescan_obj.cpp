@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "importer/import_checks.h"
 
@@ -52,12 +53,23 @@ TEST(PrescanObj, NamesTheFirstLineThatDiffers) {
 TEST(PrescanObj, AVisualMeshMayMixAllFormsOfPaint) {
     const std::string text = "o a\nv 0 0 0\nv 1 0 0 0 red 0\nv 1 2 3 0 0 0 1\nv 4 5 6 1.0\nf 1 2 \\\n3\n";
     const Prescan scan = prescan_obj(text, Purpose::visual);
-    EXPECT_EQ(scan.surface_only, "o a\nv 0 0 0\nv 1 0 0\nv 1 2 3\nv 4 5 6\nf 1 2  3\n");
+    EXPECT_EQ(scan.surface_only, "o a\nv 0 0 0\nv 1 0 0\nv 1 2 3\nv 4 5 6\nf 1 2 3\n");
     EXPECT_EQ(scan.positions.size(), 4u);
-    EXPECT_EQ(prescan_obj("v 0 0 0\nf 1 1 1\n", Purpose::visual).surface_only, "") << "read as it is";
     EXPECT_TRUE(contains(obj_message("v 0 0 0 2\n", Purpose::visual), "line 1")) << "a weight is no paint";
     EXPECT_TRUE(contains(obj_message("v 0 0 0 1 1\n", Purpose::visual), "line 1"));
     EXPECT_TRUE(contains(obj_message(text), "line 3: a `v` line of 6"));
+}
+
+TEST(PrescanObj, HandsOnSurfaceAndPaintInPlainNumbers) {
+    const Prescan scan = prescan_obj(
+        "# path C:\\dir\\\n  v .5 -.25 1. .5 0 1 # 1\n\tv 1e0 +2 3 .0 .0 .0\nvt 0 0\nvn 0 0 1\nv 0 0 1e-3 1 1 1\n"
+        "mtllib a.mtl\n  usemtl  steel \n f 1/1/1 -2//1 3 # 1\nl 1 2 3\np 1 2\ns off\n",
+        Purpose::shell);
+    EXPECT_EQ(scan.surface_only,
+              "v 0.5 -0.25 1 0.5 0 1\nv 1 2 3 0 0 0\nv 0 0 0.001 1 1 1\nmtllib a.mtl\nusemtl steel \nf 1 2 3\n");
+    EXPECT_EQ(scan.reds, (std::vector<float>{0.5f, 0, 1}));
+    EXPECT_EQ(scan.unread.points_and_lines, 4u);
+    EXPECT_EQ(scan.expected_triangles, 1u);
 }
 
 TEST(PrescanObj, RefusesColoursThatAssimpReadsAsSomethingElse) {

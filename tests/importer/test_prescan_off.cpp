@@ -68,7 +68,17 @@ TEST(PrescanOff, CountsFacesThatHaveAColour) {
     const Prescan scan =
         prescan_off("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0 # red\n3 0 2 1 # none\n", Purpose::shell);
     EXPECT_EQ(scan.unread.colored_faces, 1u);
-    EXPECT_EQ(scan.surface_only, "");
+    EXPECT_EQ(scan.surface_only, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n")
+        << "without the colours of faces";
+}
+
+TEST(PrescanOff, HandsOnVerticesAndFacesWithoutComments) {
+    const Prescan scan = prescan_off(
+        "COFF # painted\n# by hand\n3 1 0\n0 0 0 0 .5 1 1 # a\n# b\n1 0 0 1 1 1 1\n\n0 .5 0 1 1 1 1\n# c\n3 0 1 2 # "
+        "d\n",
+        Purpose::shell);
+    EXPECT_EQ(scan.surface_only, "COFF\n3 1 0\n0 0 0 0 .5 1 1\n1 0 0 1 1 1 1\n0 0.5 0 1 1 1 1\n3 0 1 2\n");
+    EXPECT_EQ(scan.unread.colored_faces, 0u);
 }
 
 }
