@@ -94,27 +94,6 @@ Element read_element(std::string_view line, const Header& header) {
     return element;
 }
 
-bool is_color_word(std::string_view word) {
-    for (const char* color : {"red", "rgb", "rgba", "color", "colors", "colour", "colours"}) {
-        if (word == color) return true;
-    }
-    return false;
-}
-
-// The words of letters in a name, in lower case.
-std::vector<std::string> words_of(std::string_view name) {
-    std::vector<std::string> words(1);
-    for (const char c : name) {
-        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        if (lower >= 'a' && lower <= 'z') {
-            words.back() += lower;
-        } else {
-            words.emplace_back();
-        }
-    }
-    return words;
-}
-
 }
 
 Header read_header(std::string_view& text) {
@@ -147,14 +126,6 @@ const Element* find(const Header& header, std::string_view name) {
         if (element.name == name) return &element;
     }
     return nullptr;
-}
-
-bool looks_like_color(std::string_view name) {
-    const std::vector<std::string> words = words_of(name);
-    const bool is_number_of_one = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-        return word == "index" || word == "id" || word == "indices";
-    });
-    return name == "R" || (!is_number_of_one && std::any_of(words.begin(), words.end(), is_color_word));
 }
 
 }

@@ -45,7 +45,4 @@ struct Header {
 // Null where there is none.
 [[nodiscard]] const Element* find(const Header& header, std::string_view name);
 
-// "Red", "diffuse_red", "vertex-colors", "rgb": what someone would take for a colour. Not "color_index".
-[[nodiscard]] bool looks_like_color(std::string_view name);
-
 }

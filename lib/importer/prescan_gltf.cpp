@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/index.h"
+#include "importer/color_name.h"
 #include "importer/gltf_document.h"
 #include "importer/gltf_extensions.h"
 #include "importer/gltf_scene.h"
@@ -150,7 +152,44 @@ const Json& accessor_at(const Json& document, std::uint64_t index) {
     refuse("a primitive refers to accessor " + std::to_string(index) + ", which is not there");
 }
 
-// assimp copies positions as floats whatever they are, and leaves out colours of another count without a word.
+bool is_color_set(std::string_view attribute) { return attribute.starts_with("COLOR_"); }
+
+// glTF 2.0, section 3.7.2.1: floats, or bytes and shorts without a sign. assimp leaves out colours of another type or
+// another count without a word.
+void check_color_set(const Json& document, const Json& attributes, const std::string& name, std::uint64_t vertices) {
+    const Json& colors = accessor_at(document, number(attributes, name.c_str(), none));
+    const std::uint64_t count = number(colors, "count", 0);
+    if (count != vertices) {
+        refuse(name + " holds " + std::to_string(count) + " colours for " + std::to_string(vertices) + " vertices");
+    }
+    const std::uint64_t type = number(colors, "componentType", 0);
+    constexpr std::uint64_t unsigned_byte = 5121;
+    constexpr std::uint64_t unsigned_short = 5123;
+    const std::uint64_t channels = component_count(colors);
+    if ((type != component_float && type != unsigned_byte && type != unsigned_short) ||
+        (channels != 3 && channels != 4)) {
+        refuse(name +
+               " is not three or four floats, unsigned bytes or unsigned shorts; export colours as one of these");
+    }
+}
+
+void check_colors(const Json& document, const Json& attributes, std::uint64_t vertices) {
+    bool has_colors = false;
+    std::string odd;
+    for (const auto& [name, accessor] : attributes.items()) {
+        if (is_color_set(name)) {
+            check_color_set(document, attributes, name, vertices);
+            has_colors = true;
+        } else if (looks_like_color(name)) {
+            odd = name;
+        }
+    }
+    if (has_colors || odd.empty()) return;
+    refuse("the attribute " + in_quotes(odd) +
+           " looks like a colour, but only COLOR_0, COLOR_1 ... are read, and locks in it would be lost; rename it");
+}
+
+// assimp copies positions as floats whatever they are.
 void check_attributes(const Json& document, const Json& attributes, Purpose purpose) {
     if (!attributes.is_object()) refuse("a primitive's attributes are not an object");
     const std::uint64_t position = number(attributes, "POSITION", none);
@@ -161,14 +200,7 @@ void check_attributes(const Json& document, const Json& attributes, Purpose purp
     if (number(positions, "componentType", 0) != component_float || component_count(positions) != 3) {
         refuse("positions are not three floats (quantized?); export without compression");
     }
-    for (const auto& [name, accessor] : attributes.items()) {
-        if (!name.starts_with("COLOR_") || purpose == Purpose::visual) continue;
-        const std::uint64_t colors = number(accessor_at(document, number(attributes, name.c_str(), none)), "count", 0);
-        if (colors != number(positions, "count", 0)) {
-            refuse(name + " holds " + std::to_string(colors) + " colours for " +
-                   std::to_string(number(positions, "count", 0)) + " vertices");
-        }
-    }
+    if (purpose == Purpose::shell) check_colors(document, attributes, number(positions, "count", 0));
 }
 
 std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose purpose) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "importer/color_name.h"
 #include "importer/coordinate.h"
 #include "importer/ply_body.h"
 #include "importer/ply_header.h"
@@ -81,7 +82,7 @@ void check_colors(const Element& vertex) {
     for (const Property& property : vertex.properties) {
         has_red = has_red || property.meaning == Meaning::red;
         if (is_color(property.meaning)) check_color_type(property);
-        if (property.meaning == Meaning::other && ply::looks_like_color(property.name)) odd = &property;
+        if (property.meaning == Meaning::other && looks_like_color(property.name)) odd = &property;
     }
     if (has_red || !odd) return;
     refuse(*odd, "the vertex property " + in_quotes(odd->name) +
@@ -142,7 +143,7 @@ std::uint64_t count_colored_faces(const Header& header) {
     if (!face) return 0;
     for (const Property& property : face->properties) {
         const bool is_red = property.meaning == Meaning::red;
-        if (!property.list_count && (is_red || ply::looks_like_color(property.name))) return face->count;
+        if (!property.list_count && (is_red || looks_like_color(property.name))) return face->count;
     }
     return 0;
 }

@@ -131,6 +131,25 @@ TEST(PrescanGltf, AVisualMeshMayBePaintedInAnyWay) {
     EXPECT_FALSE(contains(prescan_gltf(text, Purpose::visual).surface_only, "COLOR_0"));
 }
 
+TEST(PrescanGltf, RefusesPaintThatAssimpWouldLeaveOut) {
+    const auto message = [](const std::string& name, int type, const std::string& shape) {
+        return gltf_message(gltf(R"("buffers": [{"byteLength": 36, "uri": "a.bin"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3},
+                          {"componentType": )" +
+                                 std::to_string(type) + R"(, "type": ")" + shape + R"(", "count": 3}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, ")" +
+                                 name + R"(": 1}}]}])"));
+    };
+    for (const int type : {5121, 5123, 5126}) EXPECT_EQ(message("COLOR_0", type, "VEC4"), "") << type;
+    EXPECT_EQ(message("COLOR_1", 5126, "VEC3"), "");
+    for (const int type : {5120, 5122, 5125}) EXPECT_TRUE(contains(message("COLOR_0", type, "VEC4"), "COLOR_0 is not"));
+    EXPECT_TRUE(contains(message("COLOR_0", 5126, "VEC2"), "COLOR_0 is not"));
+    for (const char* name : {"color_0", "COLOR", "_COLOR_0", "_Color"})
+        EXPECT_TRUE(contains(message(name, 5126, "VEC4"), "looks like a colour")) << name;
+    for (const char* name : {"NORMAL", "_temperature", "JOINTS_0"}) EXPECT_EQ(message(name, 5126, "VEC4"), "") << name;
+}
+
 TEST(PrescanGltf, RefusesNodesAboveThemselvesAndJsonWithoutBottom) {
     EXPECT_EQ(gltf_message(gltf(R"("nodes": [{"children": [1]}, {}])")), "");
     EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"children": [1]}, {"children": [0]}])")), "within itself"));
