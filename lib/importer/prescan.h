@@ -47,7 +47,7 @@ struct Prescan {
 [[nodiscard]] Prescan prescan_obj(std::string_view text, Purpose purpose);
 
 // The header makes sense, the body is as long as it says, holds faces rather than strips, and their indices exist. A
-// shell's colours have names and a type whose range is agreed upon, and values of that type.
+// shell's colours have names, red among them, and a type whose range is agreed upon, and values of that type.
 [[nodiscard]] Prescan prescan_ply(std::string_view bytes, Purpose purpose);
 
 // The counts of the header are those of the lines that follow, and each vertex of a shell has the numbers that the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "importer/color_name.h"
@@ -75,6 +77,18 @@ void check_color_type(const Property& property) {
                          " type, whose range has no agreed meaning; export colours as uchar or float");
 }
 
+// A colour without red would have a red of 0: a lock.
+void check_has_red(const Element& vertex) {
+    const Property* color = nullptr;
+    for (const Property& property : vertex.properties) {
+        if (property.meaning == Meaning::red) return;
+        if (is_color(property.meaning)) color = &property;
+    }
+    if (color)
+        refuse(*color, "the header gives a vertex " + in_quotes(color->name) +
+                           " but no red, which says what is locked; export red, green and blue, or rename it");
+}
+
 void check_colors(const Element& vertex) {
     check_declared_once(vertex, is_color);
     bool has_red = false;
@@ -84,18 +98,18 @@ void check_colors(const Element& vertex) {
         if (is_color(property.meaning)) check_color_type(property);
         if (property.meaning == Meaning::other && looks_like_color(property.name)) odd = &property;
     }
-    if (has_red || !odd) return;
-    refuse(*odd, "the vertex property " + in_quotes(odd->name) +
-                     " looks like a colour, but only red, green and blue are read, and locks in it would be lost; "
-                     "rename it");
+    if (!has_red && odd)
+        refuse(*odd, "the vertex property " + in_quotes(odd->name) +
+                         " looks like a colour, but only red, green and blue are read, and locks in it would be lost; "
+                         "rename it");
+    check_has_red(vertex);
 }
 
 void check_faces(const Element* face) {
     if (!face || face->count == 0) return;
-    for (const Property& property : face->properties) {
-        if (is_face_list(property)) return;
-    }
-    refuse("the header gives a face no list 'vertex_indices'");
+    const auto lists = std::count_if(face->properties.begin(), face->properties.end(), is_face_list);
+    if (lists == 0) refuse("the header gives a face no list 'vertex_indices'");
+    if (lists > 1) refuse("the header gives a face more than one list of its vertices");
 }
 
 void check_elements(const Header& header, Purpose purpose) {
@@ -207,9 +221,9 @@ private:
     }
 
     void read_face(const Element& element, const Property& property, std::uint64_t row) {
-        const double count = body_.next(*property.list_count, element, row);
+        const auto count = list_size(element, property, row);
         corners_.clear();
-        for (double i = 0; i < count; ++i) {
+        for (std::uint32_t i = 0; i < count; ++i) {
             const double vertex = body_.next(property.type, element, row);
             if (!(vertex >= 0) || vertex >= static_cast<double>(vertex_count_) || vertex != std::floor(vertex))
                 refuse(ply::place(element, row) + " refers to a vertex that is not there; the file is damaged");
@@ -221,8 +235,17 @@ private:
 
     void skip(const Element& element, const Property& property, std::uint64_t row) {
         if (!property.list_count) return body_.skip(property.type, element, row);
+        const auto size = list_size(element, property, row);
+        for (std::uint32_t i = 0; i < size; ++i) body_.skip(property.type, element, row);
+    }
+
+    // Of 32 bits at most, as types go.
+    std::uint32_t list_size(const Element& element, const Property& property, std::uint64_t row) {
         const double size = body_.next(*property.list_count, element, row);
-        for (double i = 0; i < size; ++i) body_.skip(property.type, element, row);
+        if (size < 0)
+            refuse(ply::place(element, row) + " has a list " + in_quotes(property.name) +
+                   " of less than no numbers; the file is damaged");
+        return static_cast<std::uint32_t>(size);
     }
 
     const Header& header_;

@@ -60,6 +60,15 @@ TEST(PrescanPly, RefusesPaintUnderAnotherName) {
         ply_message(ply("element vertex 1\n" + xyz + "property list uchar uchar red\n", "0 0 0 1 0\n")), "is a list"));
 }
 
+TEST(PrescanPly, RefusesPaintWithoutRed) {
+    for (const std::string name : {"green", "blue", "b"}) {
+        const std::string file = ply("element vertex 1\n" + xyz + "property uchar " + name + "\n", "0 0 0 0\n");
+        EXPECT_TRUE(contains(ply_message(file), "line 8: the header gives a vertex '" + name + "' but no red")) << name;
+        EXPECT_EQ(ply_message(file, Purpose::visual), "") << name;
+    }
+    EXPECT_EQ(ply_message(ply("element vertex 1\n" + xyz + "property uchar alpha\n", "0 0 0 0\n")), "");
+}
+
 TEST(PrescanPly, RefusesNumbersOfTextThatDoNotFitTheirType) {
     const auto red = [](const std::string& type, const std::string& value) {
         return ply_message(
@@ -104,6 +113,8 @@ TEST(PrescanPly, ForgivesBlanksBehindTheLinesOfTheHeader) {
     const std::string text = "ply \nformat ascii 1.0 \t\r\nelement vertex 1 \n" + xyz + "end_header  \r\n1 2 3\n";
     EXPECT_EQ(prescan_ply(text, Purpose::shell).positions.at(0), (Vec3f{1, 2, 3}));
     EXPECT_TRUE(contains(ply_message("ply\rformat ascii 1.0\rend_header\r"), "line feeds"));
+    EXPECT_TRUE(contains(ply_message("ply\rformat binary_little_endian 1.0\rend_header\r\n\1\n"), "line feeds"));
+    EXPECT_FALSE(contains(ply_message("ply\r\r\nformat ascii 1.0\r\r\n"), "line feeds"));
     EXPECT_TRUE(contains(ply_message("plywood\n"), "the word ply is missing"));
 }
 
@@ -142,6 +153,10 @@ TEST(PrescanPly, RefusesElementsThatAreNoSurface) {
         contains(ply_message(ply("element vertex 1\n" + xyz + "element face 1\nproperty list uchar int corners\n",
                                  "0 0 0\n3 0 0 0\n")),
                  "no list 'vertex_indices'"));
+    EXPECT_TRUE(contains(ply_message(ply("element vertex 1\n" + xyz + "element face 1\n" + faces +
+                                             "property list uchar int vertex_index\n",
+                                         "0 0 0\n3 0 0 0 3 0 0 0\n")),
+                         "more than one list"));
 }
 
 TEST(PrescanPly, CountsWhatFollowsTheLastElement) {
@@ -189,6 +204,14 @@ TEST(PrescanPly, RefusesStripsAndMissingVertices) {
                          "face 0 refers"));
     EXPECT_TRUE(contains(ply_message(ply("element vertex 1\n" + xyz + "element face 1\n" + faces, "0 0 0\n3 0 -1 0\n")),
                          "face 0 refers"));
+}
+
+TEST(PrescanPly, RefusesListsOfNegativeLength) {
+    const std::string header = "element vertex 1\n" + xyz + "element face 1\nproperty list char int ";
+    EXPECT_TRUE(contains(ply_message(ply(header + "vertex_indices\n", "0 0 0\n-1\n")), "face 0 has a list"));
+    EXPECT_TRUE(contains(ply_message(ply(header + "flags\n" + faces, "0 0 0\n-1 3 0 0 0\n")), "'flags'"));
+    const std::string binary = ply(header + "vertex_indices\n", std::string(12, '\0') + "\xff", "binary_big_endian");
+    EXPECT_TRUE(contains(ply_message(binary), "face 0 has a list"));
 }
 
 TEST(PrescanPly, EveryTruncationOfABinaryFileIsRefused) {
