@@ -2,8 +2,10 @@
 #include "importer/flaws.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "core/counted.h"

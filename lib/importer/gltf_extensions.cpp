@@ -56,12 +56,10 @@ bool is_harmless(const std::string& name) {
                        [&](std::string_view start) { return name.starts_with(start); });
 }
 
-void refuse_extension(const std::string& name) {
-    const bool is_compression =
-        std::find(std::begin(compressions), std::end(compressions), name) != std::end(compressions);
-    refuse((is_compression ? "its geometry is compressed (" : "it needs the extension ") + in_quotes(name) +
-           (is_compression ? "), which is not read; export without compression"
-                           : ", which is not read; export without it"));
+[[noreturn]] void refuse_extension(const std::string& name) {
+    if (std::find(std::begin(compressions), std::end(compressions), name) != std::end(compressions))
+        refuse("its geometry is compressed (" + in_quotes(name) + "), which is not read; export without compression");
+    refuse("it needs the extension " + in_quotes(name) + ", which is not read; export without it");
 }
 
 }

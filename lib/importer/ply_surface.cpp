@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/ply_surface.h"
 
+#include <initializer_list>
+
 namespace crumple::importer::ply {
 
 namespace {
