@@ -131,21 +131,21 @@ void import_scene(const Scene& scene, double thickness = 0) {
 
 constexpr int with_thickness = 7;
 
-void try_one(int kind, Bytes bytes) {
+void try_one(int kind, Purpose purpose, Bytes bytes) {
     const std::span<const std::uint8_t> left = bytes.left();
     const std::string_view text(reinterpret_cast<const char*>(left.data()), left.size());
     switch (kind) {
         case 0:
-            (void)prescan_obj(text, Purpose::shell);
+            (void)prescan_obj(text, purpose);
             return;
         case 1:
-            (void)prescan_ply(text, Purpose::shell);
+            (void)prescan_ply(text, purpose);
             return;
         case 2:
-            (void)prescan_off(text, Purpose::shell);
+            (void)prescan_off(text, purpose);
             return;
         case 3:
-            (void)prescan_gltf(text);
+            (void)prescan_gltf(text, purpose);
             return;
         case 4:
             (void)prescan_numbers(text);
@@ -167,8 +167,9 @@ void try_one(int kind, Bytes bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
+    const Purpose purpose = data[0] / 8 % 2 == 0 ? Purpose::shell : Purpose::visual;
     try {
-        try_one(data[0] % 8, Bytes(data + 1, size - 1));
+        try_one(data[0] % 8, purpose, Bytes(data + 1, size - 1));
     } catch (const Error& error) {
         // A thickness that floats cannot show at that place is asked for, not read.
         const bool is_thickness = data[0] % 8 == with_thickness && error.kind() == ErrorKind::usage;
