@@ -2,6 +2,7 @@
 #include "finish/add_nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crumple::finish {
 
@@ -21,7 +22,7 @@ NodeAdder::NodeAdder(WorkMesh& mesh, const NodeLimits& limits)
 NodeReport NodeAdder::run(double level, std::uint64_t budget, const Context& context) {
     report_ = {};
     budget_ = budget;
-    plan_all();
+    plan_all(context);
     while (!waiting_.empty() && !(waiting_.top().gain < level)) {
         context.stop_if_cancelled();
         const Index next = waiting_.top().plan;
@@ -33,7 +34,7 @@ NodeReport NodeAdder::run(double level, std::uint64_t budget, const Context& con
             if (is_bad(tet)) plan(tet);
             continue;
         }
-        carry_out(plans_[next]);
+        carry_out(std::move(plans_[next]));
     }
     return report_;
 }
@@ -52,10 +53,12 @@ bool NodeAdder::is_stale(const Plan& plan) const {
 }
 
 // Every bad tet that changed since it was last planned for.
-void NodeAdder::plan_all() {
+void NodeAdder::plan_all(const Context& context) {
     planned_at_.resize(mesh_.complex.slot_count(), 0);
     for (Index t = 0; t < mesh_.complex.slot_count(); ++t) {
-        if (is_bad(t) && has_changed_since(t, planned_at_[t])) plan(t);
+        if (!is_bad(t) || !has_changed_since(t, planned_at_[t])) continue;
+        context.stop_if_cancelled();
+        plan(t);
     }
 }
 
@@ -88,16 +91,15 @@ void NodeAdder::plan_moves(Index tet, double& best, Plan& plan) {
     }
 }
 
-void NodeAdder::carry_out(Plan& plan) {
-    Exchange& exchange = plan.insertion.exchange;
-    const Index node = add_node(mesh_, plan.insertion.place);
+void NodeAdder::carry_out(Plan chosen) {
+    Exchange& exchange = chosen.insertion.exchange;
+    const Index node = add_node(mesh_, chosen.insertion.place);
     for (Tet& fresh : exchange.fresh) fresh[0] = node;
-    ++(plan.moved == none ? report_.added : report_.reseated);
+    ++(chosen.moved == none ? report_.added : report_.reseated);
     const std::span<const Index> slots = apply(mesh_, exchange);
     const std::vector<Index> fresh(slots.begin(), slots.end());
-    exchange = {};
     for (const Index t : fresh) {
-        if (is_bad(t)) this->plan(t);
+        if (is_bad(t)) plan(t);
     }
 }
 

@@ -45,13 +45,13 @@ private:
         bool operator<(const Entry& other) const { return gain != other.gain ? gain < other.gain : plan > other.plan; }
     };
 
-    void plan_all();
+    void plan_all(const Context& context);
     void plan(Index tet);
     void plan_moves(Index tet, double& best, Plan& plan);
     [[nodiscard]] bool is_bad(Index tet) const;
     [[nodiscard]] bool has_changed_since(Index tet, std::uint64_t clock) const;
     [[nodiscard]] bool is_stale(const Plan& plan) const;
-    void carry_out(Plan& plan);
+    void carry_out(Plan chosen);
 
     WorkMesh& mesh_;
     double bad_;

@@ -131,7 +131,8 @@ struct Report {
     std::uint64_t forced_thin = 0;
     std::uint64_t forced_needle = 0;
     std::uint64_t failed = 0;
-    // FINISH_BAD_TETS, FINISH_FORCED_THIN, FINISH_FORCED_NEEDLE, FINISH_REPAIRED, FINISH_NON_MANIFOLD, FINISH_BUDGET
+    // FINISH_BAD_TETS, FINISH_FORCED_THIN, FINISH_FORCED_NEEDLE, FINISH_FORCED_GAP, FINISH_REPAIRED,
+    // FINISH_NON_MANIFOLD, FINISH_BUDGET
     std::vector<Finding> findings;
 };
 

@@ -4,14 +4,11 @@
 #include <algorithm>
 
 #include "finish/node_operations.h"
+#include "finish/place_search.h"
 
 namespace crumple::finish {
 
 namespace {
-
-// To find a place: rounds of six directions, from this share of the way to the farthest corner.
-constexpr int place_rounds = 8;
-constexpr double first_stride = 0.2;
 
 // Of two places with the same badness the one of the better worst tet is taken: shapes are below 1, and a tenth of one
 // never outweighs a tet.
@@ -19,11 +16,6 @@ constexpr double shape_weight = 0.1;
 
 // What a hole is grown by must gain more than rounding.
 constexpr double least_gain = 1e-9;
-
-Vec3 along_axis(int direction, double stride) {
-    const double by = direction % 2 == 0 ? stride : -stride;
-    return {direction / 2 == 0 ? by : 0, direction / 2 == 1 ? by : 0, direction / 2 == 2 ? by : 0};
-}
 
 }
 
@@ -71,21 +63,8 @@ void Hole::settle_badness(double bad) {
     for (const Rim& r : rim_) {
         for (const Index v : r.face) reach = std::max(reach, length(mesh_.at(v) - place_));
     }
-    double stride = first_stride * reach;
-    double best = lack_at(place_, bad, 1e300);
-    Vec3 to = place_;
-    for (int round = 0; round < place_rounds; ++round) {
-        const Vec3 from = to;
-        for (int direction = 0; direction < 6; ++direction) {
-            const Vec3 place = round_to_float(from + along_axis(direction, stride));
-            const double here = lack_at(place, bad, best);
-            if (!(here < best)) continue;
-            best = here;
-            to = place;
-        }
-        if (to == from) stride *= 0.5;
-    }
-    move_to(to);
+    const auto lack = [&](Vec3 place, double limit) { return lack_at(place, bad, limit); };
+    move_to(search_place(place_, reach, lack(place_, 1e300), lack));
 }
 
 double Hole::old_badness(double bad) const {

@@ -17,7 +17,7 @@ namespace crumple::finish {
 
 class Hole {
 public:
-    // Keeps a reference to the mesh. Around `place`, rounded to float; tets: of one region.
+    // Keeps a reference to the mesh. Around `place`, rounded to float; tets: at least one, all of one region.
     Hole(const WorkMesh& mesh, Vec3 place, std::span<const Index> tets);
 
     // Takes in the tets behind the worst faces until every face makes a tet better than `least` with the place. False

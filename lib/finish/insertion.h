@@ -2,6 +2,8 @@
 // A node put amid bad tets: a hole is made around it, and the faces of the hole are joined to it [Klingner and Shewchuk
 // 2007, "Aggressive tetrahedral mesh improvement"].
 #pragma once
+#include <span>
+
 #include "finish/work_mesh.h"
 
 namespace crumple::finish {

@@ -8,6 +8,7 @@
 #include "finish/face_removal.h"
 #include "finish/insertion.h"
 #include "finish/node_steps.h"
+#include "finish/place_search.h"
 #include "geometry/predicates.h"
 
 namespace crumple::finish {
@@ -26,10 +27,6 @@ constexpr double enough = 1.5;
 constexpr double kept_shape = 0.8;
 constexpr double bad_deg = 10.2;
 constexpr double good_deg = 20;
-
-// To find a place: rounds of six directions, from this share of the way to the farthest corner.
-constexpr int place_rounds = 8;
-constexpr double first_stride = 0.2;
 
 class Raiser {
 public:
@@ -134,26 +131,12 @@ private:
 
     // Moves the placed node of the trial to where the least step is largest.
     void settle(double floor) {
-        double best = steps_.weigh(mesh_, trial_).after;
-        double stride = first_stride * reach();
-        for (int round = 0; round < place_rounds; ++round) {
-            const Vec3 from = trial_.place;
-            Vec3 to = from;
-            for (int direction = 0; direction < 6; ++direction) {
-                const double along = direction % 2 == 0 ? stride : -stride;
-                const Vec3 by{direction / 2 == 0 ? along : 0, direction / 2 == 1 ? along : 0,
-                              direction / 2 == 2 ? along : 0};
-                trial_.place = round_to_float(from + by);
-                ++report_.tried;
-                if (!holds_shapes(floor)) continue;
-                const double here = steps_.weigh(mesh_, trial_).after;
-                if (here <= best) continue;
-                best = here;
-                to = trial_.place;
-            }
-            trial_.place = to;
-            if (to == from) stride *= 0.5;
-        }
+        const double start = steps_.weigh(mesh_, trial_).after;
+        trial_.place = search_place(trial_.place, reach(), -start, [&](Vec3 place, double) {
+            trial_.place = place;
+            ++report_.tried;
+            return holds_shapes(floor) ? -steps_.weigh(mesh_, trial_).after : 1e300;
+        });
     }
 
     [[nodiscard]] double reach() const {
