@@ -46,8 +46,7 @@ struct LoadJob {
     float* load;           // N x 4
 };
 
-// Off-diagonal blocks, nine floats each, those of a group one after the other.
-// Over edges.
+// Off-diagonal blocks, nine floats each, those of a group one after the other. Over edges.
 struct EdgeJob {
     const Index* edge_start;
     const Index* incidence;    // 16 tet + 4 corner of i + corner of j
@@ -58,8 +57,7 @@ struct EdgeJob {
     bool is_uniform;
 };
 
-// Diagonal blocks and their inverses; blocks from how edges leave them to how
-// Slices has them. Over nodes.
+// Diagonal blocks and their inverses; blocks from how edges leave them to how Slices has them. Over nodes.
 struct RowJob {
     const Index* node;  // see Slices
     const Index* start;

@@ -145,8 +145,7 @@ inline void gather3(const float* base, const unsigned* index, Eight& x, Eight& y
     }
 }
 
-// Lane l of (x, y, z, w) to the four floats at place(l), a boundary of 16
-// bytes.
+// Lane l of (x, y, z, w) to the four floats at place(l), a boundary of 16 bytes.
 template <class Place>
 void scatter4(const Place& place, const Eight& x, const Eight& y, const Eight& z, const Eight& w) {
     for (std::size_t l = 0; l < 8; ++l) {

@@ -69,10 +69,11 @@ struct Model {
     std::span<const ModelMaterial> materials;
 };
 
+// REQUIRES of both: first_problem(view) is null.
 [[nodiscard]] std::size_t model_bytes(const BundleView& view);
 
-// REQUIRES: first_problem(view) is null; memory on a 64-byte boundary, model_bytes(view) of it; it and the view's
-// arrays outlive the model. Throws nothing.
+// REQUIRES: memory on a 64-byte boundary, model_bytes(view) of it; it and the view's arrays outlive the model. Throws
+// nothing.
 [[nodiscard]] Model build_model(const BundleView& view, std::span<std::byte> memory);
 
 }

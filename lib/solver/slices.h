@@ -36,6 +36,7 @@ struct SliceCounts {
     std::size_t slices = 0;
     std::size_t groups = 0;
 };
+// REQUIRES, as fill_slices does: first_problem(view) is null.
 [[nodiscard]] SliceCounts count_slices(const BundleView& view);
 
 // As Slices has them; edge_block (E) becomes the numbers of the blocks of (i, j) and of (j, i).

@@ -196,7 +196,7 @@ private:
         });
         for (std::size_t i = 0; i < 4 * model_.node_count; ++i)
             along += static_cast<double>(w_.direction[i]) * w_.residual[i];
-        double stiffness = pq + gather_rigid(whole_.locks, model_, w_);
+        const double stiffness = pq + gather_rigid(whole_.locks, model_, w_);
         if (whole_.locks.is_active) along += dot6(whole_.locks.direction, whole_.locks.residual);
         const double a = std::clamp(along / stiffness, 0.0, 1.0);
         if (!(stiffness > 0) || !std::isfinite(a)) return;
@@ -244,12 +244,11 @@ Solved solve(const Model& model, Workspace& w, std::size_t partial_count, const 
         }
         const double next = solve.descend(a);
         ++result.iterations;
-        if (result.iterations % iterations_between_checks == 0 && solve.recheck(Recheck::all)) {
-            course = Course(rz = solve.restart());
-            continue;
-        }
-        if (course.wants_balance(next) && solve.balance_whole()) {
-            course = Course(rz = solve.restart());
+        const bool starts_anew = (result.iterations % iterations_between_checks == 0 && solve.recheck(Recheck::all)) ||
+                                 (course.wants_balance(next) && solve.balance_whole());
+        if (starts_anew) {
+            rz = solve.restart();
+            course = Course(rz);
             continue;
         }
         solve.turn(next / rz);

@@ -10,8 +10,7 @@
 namespace crumple::solver {
 namespace {
 
-// Nodes of a state end on a full vector of the widest processor, those of a
-// workspace on a full slice.
+// Nodes of a state end on a full vector of the widest processor, those of a workspace on a full slice.
 std::size_t padded_nodes(const Model& model) { return (model.node_count + 3) / 4 * 4; }
 std::size_t sliced_nodes(const Model& model) { return (model.node_count + slice_rows - 1) / slice_rows * slice_rows; }
 
