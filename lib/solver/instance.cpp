@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/carrier_load.h"
 #include "solver/measure.h"
 
 namespace crumple::solver {
@@ -91,91 +92,42 @@ std::size_t fill_room(const Model& model, const State& state, Workspace& w, cons
     return given + counts.written;
 }
 
-// v turned by a rotation vector.
-Vec3 turned(Vec3 v, Vec3 turn) {
-    const double angle = length(turn);
-    if (!(angle > 0)) return v;
-    const Vec3 n = turn / angle;
-    return v * std::cos(angle) + cross(n, v) * std::sin(angle) + n * (dot(n, v) * (1 - std::cos(angle)));
-}
-
-// The change of the rigid body's motion for a push, if its mass lies as the nodes' did at rest.
-Six answer_to(const Model& model, const InstanceInput& input, const Six& push) {
-    const double more = std::max(1.0, input.carrier_mass / model.rest_mass.mass());
-    Six answer = times(inverse_of(model.rest_mass.matrix(), 1e-12), push);
-    for (double& x : answer) x /= more;
-    return answer;
-}
-
-// How it turns once it has turned on for a step: its angular momentum stays where it was in the world.
-Vec3 turning_on(const Model& model, Vec3 turn, double dt) {
-    const Six spin = times(model.rest_mass.matrix(), {0, 0, 0, turn.x, turn.y, turn.z});
-    const Vec3 p = turned(linear_part(spin), turn * -dt);
-    const Vec3 l = turned(angular_part(spin), turn * -dt);
-    return angular_part(times(inverse_of(model.rest_mass.matrix(), 1e-12), {p.x, p.y, p.z, l.x, l.y, l.z}));
-}
-
-// What the nodes have of the whole's momentum beside the rigid body's, whose mass lies as theirs did at rest: in its
-// frame they move, and with it they turn where they are now.
-struct Share {
-    Six moving;
-    Matrix6 shifted;  // of the mass, from rest
-    Vec3 shift;       // sum of m (x - X)
-    [[nodiscard]] Six at(Vec3 turn) const {
-        Six sum = times(shifted, {0, 0, 0, turn.x, turn.y, turn.z});
-        add_to(sum, 1, moving);
-        return sum;
+// Gives the hits to the nodes. What they gave in all, in the frame, N s and N m s about its origin.
+Six take_hits(const Model& model, State& state, const Frame& frame, std::span<const Hit> hits) {
+    Six given{};
+    for (const Hit& hit : hits) {
+        const Vec3f point = frame.point(hit.position);
+        const Vec3f momentum = frame.vector(hit.momentum);
+        strike(model, state, point, momentum);
+        add_to(given, 1, push_at(widen(point), widen(momentum)));
     }
-};
-
-Share share_of(const Model& model, const State& state) {
-    PointMasses now;
-    for (std::size_t node = 0; node < model.node_count; ++node) {
-        now.add(static_cast<double>(model.bundle.mass[node]), widen(position(state, node)));
-    }
-    const PointMasses& rest = model.rest_mass;
-    Share share{momentum_of(model, state), now.matrix(), now.centre() * now.mass() - rest.centre() * rest.mass()};
-    const Matrix6 before = rest.matrix();
-    for (std::size_t i = 0; i < 36; ++i) share.shifted[i] -= before[i];
-    return share;
+    return given;
 }
 
-Vec3 turn_of(const InstanceInput& input, const Frame& frame) {
-    return widen(frame.vector(input.carrier.angular_velocity));
+// Without wind and constraints.
+StepInput step_input_of(const InstanceInput& input, const Frame& frame) {
+    StepInput step;
+    step.dt = input.dt;
+    step.gravity = pull_on(input, frame);
+    if (input.has_inertia) {
+        step.frame_turn = frame.vector(input.carrier.angular_velocity);
+        step.frame_turn_rate = frame.vector(input.carrier.angular_acceleration);
+    }
+    step.has_free_carrier = input.is_carrier_free;
+    step.carrier_mass = input.carrier_mass;
+    step.forces = input.forces;
+    return step;
 }
 
-// Each pass leaves of the error the part of the mass that has shifted.
-constexpr int passes = 8;
-
-// With S the nodes' share, q their shift and J what was given, about the frame's origin:
-//     force dt = J - change of S,   torque dt = J - change of S - q x change of the origin's velocity.
-CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, const InstanceInput& input,
-                    const Share& before, const Six& given) {
-    const double dt = static_cast<double>(input.dt);
-    const Vec3 turn = turn_of(input, frame);
-    const Share after = share_of(model, state);
-    Six push = given;
-    add_to(push, 1, before.at(turn));
-    // What is left to a free carrier depends on how it will turn. Seen from the world the nodes' share turns too.
-    Six answer{};
-    Vec3 new_turn = turn;
-    Vec3 force, torque;
-    double last_change = 1e300;
-    for (int pass = 0; pass < passes; ++pass) {
-        const Six left = after.at(input.is_carrier_free ? turning_on(model, new_turn, dt) : turn);
-        const Vec3 lever = cross(before.shift, linear_part(answer));
-        force = linear_part(push) - turned(linear_part(left), new_turn * dt);
-        torque = angular_part(push) - turned(angular_part(left), new_turn * dt) - lever;
-        if (!input.is_carrier_free) break;
-        const Six next = answer_to(model, input, {force.x, force.y, force.z, torque.x, torque.y, torque.z});
-        const double change = length(angular_part(next) - angular_part(answer));
-        // The lever comes with the second pass. A body that has left its carrier behind never settles.
-        if (pass > 1 && !(change < last_change)) break;
-        last_change = change;
-        answer = next;
-        new_turn = turn + angular_part(answer);
-    }
-    return {frame.to_world(force / dt), frame.to_world(torque / dt)};
+// Before the step and its hits.
+LoadInput load_input_of(const Model& model, const State& state, const InstanceInput& input) {
+    LoadInput load;
+    load.dt = static_cast<double>(input.dt);
+    load.angular_velocity = input.carrier.angular_velocity;
+    load.is_carrier_free = input.is_carrier_free;
+    load.carrier_mass = input.carrier_mass;
+    load.before = share_of(model, state);
+    return load;
 }
 
 }
@@ -191,38 +143,28 @@ InstanceReport step_instance(const Model& model, State& state, Workspace& w, con
     const Frame frame(input.carrier);
     report.is_asleep = stays_asleep(model, state, w, input, frame);
     if (report.is_asleep) return report;
+    // A game that stands still may make steps of no time. Their load would be 0 / 0.
+    if (!(input.dt > 0) || !std::isfinite(input.dt)) {
+        report.step.warnings = step_bad_input;
+        return report;
+    }
     if (is_asleep(state)) wake(state);
 
-    const Share before = share_of(model, state);
-    Six given{};
-    for (const Hit& hit : input.hits) {
-        const Vec3f point = frame.point(hit.position);
-        const Vec3f momentum = frame.vector(hit.momentum);
-        strike(model, state, point, momentum);
-        add_to(given, 1, push_at(widen(point), widen(momentum)));
-    }
-    StepInput step_input;
-    step_input.dt = input.dt;
-    step_input.gravity = pull_on(input, frame);
-    if (input.has_inertia) {
-        step_input.frame_turn = frame.vector(input.carrier.angular_velocity);
-        step_input.frame_turn_rate = frame.vector(input.carrier.angular_acceleration);
-    }
+    LoadInput load = load_input_of(model, state, input);
+    load.given = take_hits(model, state, frame, input.hits);
+    StepInput step_input = step_input_of(input, frame);
     Wind wind;
     if (input.wind) {
         wind = *input.wind;
         wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));
         step_input.wind = &wind;
     }
-    step_input.has_free_carrier = input.is_carrier_free;
-    step_input.carrier_mass = input.carrier_mass;
-    step_input.forces = input.forces;
     step_input.constraints = input.room.first(fill_room(model, state, w, input, frame, report));
     report.step = step(model, state, w, step_input, settings, jobs);
     const Vec3 impulse = report.step.impulse;
     const Vec3 angular = report.step.angular_impulse;
-    add_to(given, 1, {impulse.x, impulse.y, impulse.z, angular.x, angular.y, angular.z});
-    report.load = load_of(model, state, frame, input, before, given);
+    add_to(load.given, 1, {impulse.x, impulse.y, impulse.z, angular.x, angular.y, angular.z});
+    report.load = load_of(model, state, frame, load);
     watch_sleep(model, state, input, report.step, step_input.gravity);
     return report;
 }

@@ -2,6 +2,7 @@
 // Bodies that ride on a rigid body which they push in turn.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -194,6 +195,23 @@ TEST(Carrier, LockedNodesStandStillInTheFrame) {
         if (rider.body.bundle.locked[i]) {
             EXPECT_EQ(rider.body.x(i), rider.body.rest(i));
         }
+    }
+}
+
+// A game that stands still.
+TEST(Carrier, AStepOfNoTimeDoesNothingAndHasNoLoad) {
+    const Hit blow{{-0.9, 0, 0}, {100, 0, 0}};
+    for (const float dt : {0.0f, -1.0f, std::nanf("")}) {
+        Rider rider(bumper(dented()));
+        const std::vector<float> before(rider.body.state.velocities.begin(), rider.body.state.velocities.end());
+        InstanceInput input = in_space();
+        input.dt = dt;
+        input.hits = {&blow, 1};
+        const InstanceReport report = rider.step(input);
+        EXPECT_EQ(report.step.warnings, static_cast<std::uint32_t>(step_bad_input));
+        EXPECT_EQ(report.load.force, Vec3{});
+        EXPECT_EQ(report.load.torque, Vec3{});
+        EXPECT_TRUE(std::equal(before.begin(), before.end(), rider.body.state.velocities.begin()));
     }
 }
 
