@@ -5,7 +5,7 @@
 #   scripts/check_all.sh [--fuzz-minutes N] [STEP...]
 #
 # Steps, all of them by default:
-#   full        every test in its long form (CRUMPLE_FULL_TESTS=1) in Release, in its quick form sanitized
+#   full        every test in its long form (CRUMPLE_FULL_TESTS=1), Release and sanitized
 #   toolchains  what a game embeds with gcc, clang, mingw under wine and aarch64 under qemu
 #   compilers   the suite with clang, and the sample car cooked by gcc and by clang: same bytes
 #   fuzz        each libFuzzer target for N minutes, 10 by default, as many at once as there are cores
@@ -25,9 +25,11 @@ done
 [ ${#steps[@]} -gt 0 ] || steps=(full toolchains compilers fuzz bench)
 
 run_full() {
-    scripts/build.sh release
-    CRUMPLE_FULL_TESTS=1 ctest --preset release --parallel "$(nproc)" --timeout 36000
-    scripts/test.sh dev
+    local preset
+    for preset in release dev; do
+        scripts/build.sh "$preset"
+        CRUMPLE_FULL_TESTS=1 ctest --preset "$preset" --parallel "$(nproc)" --timeout 36000
+    done
 }
 
 cook_with() {

@@ -129,7 +129,7 @@ class Assets(program.Case):
 class Density(program.Case):
     def test_the_tets_asked_for_are_the_tets_in_the_bundle(self):
         for shell in ["spot", "carbody", "cow"]:
-            for tets in [3000, 5000] if program.FULL else [3000]:
+            for tets in [3000, 5000]:
                 with self.subTest(shell, tets=tets):
                     self.ok(program.run("cook", "car_body", "--shell", program.DATA / "quality" / f"{shell}.obj", "-o",
                                         self.output, "-q", "--set", f"sample.points=tets:{tets}", "--set",
