@@ -60,13 +60,8 @@ bool is_apart(std::span<const Vec3> at, const Triangle& face, const Tet& tet) {
 
 }
 
-OpenSpace::OpenSpace(std::span<const Vec3> positions, std::span<const Triangle> faces) : faces_(faces) {
-    std::vector<Box> boxes(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        for (const Index v : faces[f]) boxes[f].add(positions[v]);
-    }
-    tree_ = Bvh(boxes);
-}
+OpenSpace::OpenSpace(std::span<const Vec3> positions, std::span<const Triangle> faces)
+    : faces_(faces), tree_(tree_of(positions, faces)) {}
 
 bool OpenSpace::has_room_for(std::span<const Vec3> positions, const Tet& tet, std::span<const Tet> others) const {
     if (orient3d(positions[tet[0]], positions[tet[1]], positions[tet[2]], positions[tet[3]]) <= 0) return false;

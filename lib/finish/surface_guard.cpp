@@ -51,14 +51,6 @@ double squared_sine(double degrees) {
     return sine * sine;
 }
 
-std::vector<Box> boxes_of(const Shell& shell) {
-    std::vector<Box> boxes(shell.triangles.size());
-    for (std::size_t f = 0; f < boxes.size(); ++f) {
-        for (const Index v : shell.triangles[f]) boxes[f].add(shell.positions[v]);
-    }
-    return boxes;
-}
-
 }
 
 SurfaceGuard::SurfaceGuard(const Shell& shell, const SurfaceLimits& limits)
@@ -66,7 +58,7 @@ SurfaceGuard::SurfaceGuard(const Shell& shell, const SurfaceLimits& limits)
       limits_(limits),
       diagonal_(bounding_box(shell.positions).diagonal()),
       surface_(shell.positions, shell.triangles),
-      triangles_(boxes_of(shell)) {
+      triangles_(tree_of(shell.positions, shell.triangles)) {
     fold_sine_2_ = squared_sine(limits.fold_deg);
     crease_sine_2_ = squared_sine(std::max(crease_deg, limits.fold_deg));
     const double smooth_sine_2 = squared_sine(smooth_fold_deg);

@@ -70,4 +70,12 @@ void Bvh::build(std::vector<Vec3>& centres, std::span<const Box> boxes, Index fi
     build(centres, boxes, first + half, count - half);
 }
 
+Bvh tree_of(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+    std::vector<Box> boxes(triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        for (const Index v : triangles[t]) boxes[t].add(positions[v]);
+    }
+    return Bvh(boxes);
+}
+
 }

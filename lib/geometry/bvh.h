@@ -170,4 +170,7 @@ Bvh::Nearest Bvh::nearest(Vec3 p, Distance2&& distance_2, Nearest known) const {
     return known;
 }
 
+// Over the boxes of triangles.
+[[nodiscard]] Bvh tree_of(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+
 }

@@ -111,10 +111,6 @@ std::vector<Finding> find_t_junctions(const Shell& shell, double diagonal) {
     return {finding};
 }
 
-bool share_a_corner(const Triangle& a, const Triangle& b) {
-    return std::any_of(a.begin(), a.end(), [&](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); });
-}
-
 struct Twin {
     Index triangle = none;
     double distance = 0;
@@ -149,10 +145,7 @@ Twin find_twin(const Shell& shell, const Bvh& tree, Index t, double reach) {
 }
 
 std::vector<Finding> find_nearly_double(const Shell& shell, double diagonal) {
-    std::vector<Box> boxes;
-    for (const auto& [a, b, c] : shell.triangles)
-        boxes.push_back(bounding_box(std::array{shell.positions[a], shell.positions[b], shell.positions[c]}));
-    const Bvh tree(boxes);
+    const Bvh tree = tree_of(shell.positions, shell.triangles);
     Finding finding{"SHELL_NEARLY_DOUBLE", Severity::warning, "", 0, {}};
     double farthest = 0;
     for (Index t = 0; t < shell.triangles.size(); ++t) {

@@ -57,10 +57,10 @@ struct Fans {
 
 class Places {
 public:
-    Places(const Surface& surface)
+    explicit Places(const Surface& surface)
         : surface_(surface),
           distance_(surface.positions, surface.triangles),
-          tree_(tree_of(surface)),
+          tree_(tree_of(surface.positions, surface.triangles)),
           fans_(surface.positions.size(), surface.triangles),
           diagonal_(bounding_box(surface.positions).diagonal()),
           thickness_(surface.triangles.size(), 0),
@@ -167,7 +167,8 @@ private:
             const Vec3 away = closest.point - p;
             const double along = dot(away, inwards);
             // A surface of its own just behind p is within by little where the ball is large.
-            const double touching = share_a_corner(f, closest.triangle) ? 1e-3 : 1e-9;
+            const double touching =
+                share_a_corner(surface_.triangles[f], surface_.triangles[closest.triangle]) ? 1e-3 : 1e-9;
             if (!(closest.distance < radius * (1 - touching)) || !(along > 0)) break;
             radius = dot(away, away) / (2 * along);
         }
@@ -181,7 +182,8 @@ private:
         const Vec3 normal = area_vector(at[0], at[1], at[2]);
         const Vec3 p = middle_of(f);
         const auto distance_2 = [&](Index other) {
-            if (share_a_corner(f, other)) return std::numeric_limits<double>::infinity();
+            if (share_a_corner(surface_.triangles[f], surface_.triangles[other]))
+                return std::numeric_limits<double>::infinity();
             const std::array<Vec3, 3> of = corners(other);
             const Vec3 off = closest_point_on_triangle(of[0], of[1], of[2], p) - p;
             const double square = dot(off, off);
@@ -202,22 +204,6 @@ private:
     [[nodiscard]] Vec3 middle_of(Index f) const {
         const std::array<Vec3, 3> at = corners(f);
         return (at[0] + at[1] + at[2]) / 3;
-    }
-
-    [[nodiscard]] bool share_a_corner(Index f, Index g) const {
-        for (const Index v : surface_.triangles[f]) {
-            for (const Index w : surface_.triangles[g]) {
-                if (v == w) return true;
-            }
-        }
-        return false;
-    }
-
-    static Bvh tree_of(const Surface& surface) {
-        std::vector<Box> boxes;
-        for (const auto& [a, b, c] : surface.triangles)
-            boxes.push_back(bounding_box(std::array{surface.positions[a], surface.positions[b], surface.positions[c]}));
-        return Bvh(boxes);
     }
 
     Surface surface_;
