@@ -43,13 +43,17 @@ std::optional<ToldGates> told_gates(const std::vector<StageRecord>& records) {
     return told;
 }
 
-std::string refused_by(const Workspace& work) {
-    const std::optional<ToldGates> told = told_gates(work.records);
+std::string error_codes(std::span<const Finding> findings) {
     std::string codes;
-    for (const Finding& finding : told ? told->report.findings : std::vector<Finding>()) {
+    for (const Finding& finding : findings) {
         if (finding.severity == Severity::error) codes += (codes.empty() ? "" : ", ") + finding.code;
     }
     return codes;
+}
+
+std::string refused_by(const Workspace& work) {
+    const std::optional<ToldGates> told = told_gates(work.records);
+    return told ? error_codes(told->report.findings) : "";
 }
 
 GateCheck check_gates(const Workspace& work) {

@@ -2,6 +2,7 @@
 // The gates asked of what a workspace holds: by the stage `gates` when it is cooked, and again by `check`.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct GateCheck {
 
 // REQUIRES: the workspace has a bundle, and it is valid.
 [[nodiscard]] GateCheck check_gates(const Workspace& workspace);
+
+// The codes of findings that are errors, joined by ", ".
+[[nodiscard]] std::string error_codes(std::span<const Finding> findings);
 
 // The codes of the gates that refused it when it was cooked, joined by ", "; empty when none did, or none was asked.
 [[nodiscard]] std::string refused_by(const Workspace& workspace);

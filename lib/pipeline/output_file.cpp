@@ -3,24 +3,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include "core/counted.h"
 #include "core/error.h"
 #include "pipeline/bundle_gates.h"
 #include "pipeline/work_file.h"
-#include "report/text_view.h"
 #include "store/read_file.h"
 #include "store/write_file.h"
 
 namespace crumple::pipeline {
 
 namespace {
-
-bool is_refused(const Workspace& work) {
-    const std::optional<ToldGates> told = told_gates(work.records);
-    return work.bundle && told && report::has_severity(told->report.findings, Severity::error);
-}
 
 // Nobody made a link of it, or protected it.
 bool is_as_we_left_it(const std::string& path) {
@@ -35,7 +28,8 @@ void forget_rejected(const std::string& path) {
     if (!is_as_we_left_it(path)) return;
     try {
         std::error_code ignored;
-        if (is_refused(read_work_file(path))) std::filesystem::remove(path, ignored);
+        const Workspace work = read_work_file(path);
+        if (work.bundle && !refused_by(work).empty()) std::filesystem::remove(path, ignored);
     } catch (const Error&) {
         return;  // no file of ours
     }
@@ -63,14 +57,11 @@ std::string rejected_path(const std::string& output) {
 }
 
 void reject(const std::vector<Finding>& findings, const std::string& output, const std::vector<std::byte>& image) {
-    std::string gates;
-    std::uint64_t count = 0;
-    for (const Finding& finding : findings) {
-        if (finding.severity != Severity::error) continue;
-        gates += (count++ > 0 ? ", " : "") + finding.code;
-    }
-    std::string message = output + ": " + counted(count, "quality gate is", "quality gates are") + " not met (" +
-                          gates + "); the file stays as it was, ";
+    const auto count = std::count_if(findings.begin(), findings.end(),
+                                     [](const Finding& finding) { return finding.severity == Severity::error; });
+    std::string message = output + ": " +
+                          counted(static_cast<std::uint64_t>(count), "quality gate is", "quality gates are") +
+                          " not met (" + error_codes(findings) + "); the file stays as it was, ";
     try {
         (void)write_if_changed(rejected_path(output), image);
         message += "look at the result in " + rejected_path(output);
