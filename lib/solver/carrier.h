@@ -30,7 +30,8 @@ class Frame {
 public:
     explicit Frame(const CarrierMotion& motion);
     [[nodiscard]] Vec3f point(Vec3 world) const { return narrow(turn_back_ * (world - motion_.position)); }
-    [[nodiscard]] Vec3f vector(Vec3 world) const { return narrow(turn_back_ * world); }
+    [[nodiscard]] Vec3 from_world(Vec3 vector) const { return turn_back_ * vector; }
+    [[nodiscard]] Vec3f vector(Vec3 world) const { return narrow(from_world(world)); }
     // The velocity, seen from the frame, of something at a place of the world.
     [[nodiscard]] Vec3f velocity(Vec3 place, Vec3 world) const {
         return vector(world - motion_.velocity - cross(motion_.angular_velocity, place - motion_.position));

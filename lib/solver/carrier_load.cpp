@@ -70,7 +70,7 @@ NodeShare share_of(const Model& model, const State& state) {
 
 CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, const LoadInput& input) {
     const double dt = input.dt;
-    const Vec3 turn = widen(frame.vector(input.angular_velocity));
+    const Vec3 turn = frame.from_world(input.angular_velocity);
     const NodeShare after = share_of(model, state);
     const RestBody body(model.rest_mass);
     Six push = input.given;
