@@ -201,7 +201,6 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
     model.node_count = view.rest_positions.size();
     model.tet_count = view.tets.size();
     model.edge_count = view.edges.size();
-    model.block_count = view.column.size();
     model.group_count = d.slices.column.size() / slice_rows;
     model.slices = {d.slices.lane, d.slices.node, d.slices.start, d.slices.column};
     model.edge_block = d.slices.edge_block;

@@ -51,7 +51,6 @@ struct Model {
     std::size_t node_count = 0;
     std::size_t tet_count = 0;
     std::size_t edge_count = 0;
-    std::size_t block_count = 0;
     std::size_t group_count = 0;  // of eight blocks, see Slices
     BundleView bundle;
     bool is_uniform = true;  // lambda / mu is `ratio` everywhere

@@ -70,7 +70,7 @@ TEST(Slices, EdgesWriteTheBlocksOfTheirTwoRows) {
 // Places whose blocks are not of the matrix cost memory and time.
 TEST(Slices, SortedRowsLeaveLittleOver) {
     const Body body(grid_body({20, 10, 10}, {1, 1, 1}, elastic_material()));
-    EXPECT_LT(slice_rows * body.model.group_count, 1.02 * static_cast<double>(body.model.block_count));
+    EXPECT_LT(slice_rows * body.model.group_count, 1.02 * static_cast<double>(body.bundle.column.size()));
 }
 
 // Nobody asks what fixed rows hold. Every instruction set, against the blocks taken one by one in double.
