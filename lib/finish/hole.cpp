@@ -61,7 +61,7 @@ void Hole::settle_badness(double bad) {
     if (!(new_badness(bad) > 0)) return;
     double reach = 0;
     for (const Rim& r : rim_) {
-        for (const Index v : r.face) reach = std::max(reach, length(mesh_.at(v) - place_));
+        for (int i = 0; i < 3; ++i) reach = std::max(reach, length(r.at[i] - place_));
     }
     const auto lack = [&](Vec3 place, double limit) { return lack_at(place, bad, limit); };
     move_to(search_place(place_, reach, lack(place_, 1e300), lack));
@@ -113,13 +113,14 @@ void Hole::add(Index tet) {
         const Index outer = mesh_.complex.neighbour(tet, corner);
         if (holds(outer)) continue;
         const Triangle face = facing(corners, corner);
-        rim_.push_back({face, outer, shape_at(place_, face)});
+        const OppositeFace at = places_of(mesh_, face);
+        rim_.push_back({face, at, outer, at.shape_from(place_)});
     }
 }
 
 void Hole::move_to(Vec3 place) {
     place_ = place;
-    for (Rim& r : rim_) r.shape = shape_at(place_, r.face);
+    for (Rim& r : rim_) r.shape = r.at.shape_from(place_);
 }
 
 bool Hole::holds(Index tet) const { return tet != none && std::find(tets_.begin(), tets_.end(), tet) != tets_.end(); }
@@ -137,7 +138,7 @@ double Hole::gain_of(Index tet, double bad) const {
     const Tet& corners = mesh_.complex.corners(tet);
     for (int corner = 0; corner < 4; ++corner) {
         if (holds(mesh_.complex.neighbour(tet, corner))) continue;
-        const double shape = shape_at(place_, facing(corners, corner));
+        const double shape = places_of(mesh_, facing(corners, corner)).shape_from(place_);
         if (!(shape > 0)) return -1;
         gain -= badness_of(shape, bad);
     }
@@ -149,7 +150,7 @@ double Hole::lack_at(Vec3 place, double bad, double limit) const {
     double sum = 0;
     double least = 1;
     for (const Rim& r : rim_) {
-        const double shape = shape_at(place, r.face);
+        const double shape = r.at.shape_from(place);
         if (!(shape > 0)) return 1e300;
         sum += badness_of(shape, bad);
         least = std::min(least, shape);
@@ -158,14 +159,10 @@ double Hole::lack_at(Vec3 place, double bad, double limit) const {
     return sum - shape_weight * least;
 }
 
-double Hole::shape_at(Vec3 place, const Triangle& face) const {
-    return shape_of(place, mesh_.at(face[0]), mesh_.at(face[1]), mesh_.at(face[2]));
-}
-
 std::vector<OppositeFace> Hole::faces() const {
     std::vector<OppositeFace> faces;
     faces.reserve(rim_.size());
-    for (const Rim& r : rim_) faces.push_back({mesh_.at(r.face[0]), mesh_.at(r.face[1]), mesh_.at(r.face[2])});
+    for (const Rim& r : rim_) faces.push_back(r.at);
     return faces;
 }
 

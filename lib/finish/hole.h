@@ -48,9 +48,10 @@ public:
 
 private:
     struct Rim {
-        Triangle face;  // with the node: a positive tet
-        Index outer;    // the tet beyond, none at the surface
-        double shape;   // of the tet that the node makes with it
+        Triangle face;    // with the node: a positive tet
+        OppositeFace at;  // where it lies
+        Index outer;      // the tet beyond, none at the surface
+        double shape;     // of the tet that the node makes with it
     };
 
     void add(Index tet);
@@ -59,7 +60,6 @@ private:
     [[nodiscard]] bool may_take(Index tet, std::size_t most) const;
     [[nodiscard]] double gain_of(Index tet, double bad) const;
     [[nodiscard]] double lack_at(Vec3 place, double bad, double limit) const;
-    [[nodiscard]] double shape_at(Vec3 place, const Triangle& face) const;
     [[nodiscard]] std::vector<OppositeFace> faces() const;
 
     const WorkMesh& mesh_;

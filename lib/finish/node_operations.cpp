@@ -7,17 +7,13 @@
 
 namespace crumple::finish {
 
-namespace {
-
-OppositeFace places_of(const WorkMesh& mesh, const Triangle& face) {
-    return {mesh.at(face[0]), mesh.at(face[1]), mesh.at(face[2])};
-}
-
-}
-
 Triangle facing(const Tet& corners, int corner) {
     const auto& face = tet_face_corners[corner];
     return {corners[face[0]], corners[face[1]], corners[face[2]]};
+}
+
+OppositeFace places_of(const WorkMesh& mesh, const Triangle& face) {
+    return {mesh.at(face[0]), mesh.at(face[1]), mesh.at(face[2])};
 }
 
 bool is_positive_towards(Vec3 node, std::span<const OppositeFace> faces) {

@@ -16,6 +16,8 @@ namespace crumple::finish {
 // The face opposite a corner, so that (corner, face) is a positive tet.
 [[nodiscard]] Triangle facing(const Tet& corners, int corner);
 
+[[nodiscard]] OppositeFace places_of(const WorkMesh& mesh, const Triangle& face);
+
 // The faces opposite a node in the tets of its star.
 [[nodiscard]] std::vector<OppositeFace> opposite_faces(const WorkMesh& mesh, Index node, std::span<const Index> star);
 

@@ -67,30 +67,40 @@ double cube_root(double x) {
     return y;
 }
 
-double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const Faces faces = faces_of(a, b, c, d);
-    if (!(faces.six_volumes > 0)) return 0;
-    double inverse[4];
-    for (int i = 0; i < 4; ++i) inverse[i] = 1 / faces.area_2[i];
-    const Vec3 corners[4] = {a, b, c, d};
+double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return OppositeFace(b, c, d).shape_from(a); }
+
+OppositeFace::OppositeFace(Vec3 b, Vec3 c, Vec3 d)
+    : corners_{b, c, d},
+      normal_(cross(d - b, c - b)),
+      inverse_area_2_(1 / squared(normal_)),
+      edges_2_{squared(c - b), squared(d - b), squared(d - c)} {}
+
+double OppositeFace::shape_from(Vec3 node) const {
+    const Vec3 p = corners_[0] - node;
+    const Vec3 q = corners_[1] - node;
+    const Vec3 r = corners_[2] - node;
+    const Vec3 normal[4] = {normal_, cross(q, r), cross(r, p), cross(p, q)};
+    const double six_volumes = dot(p, normal[1]);
+    if (!(six_volumes > 0)) return 0;
+    const double inverse[4] = {inverse_area_2_, 1 / squared(normal[1]), 1 / squared(normal[2]), 1 / squared(normal[3])};
+    const double edge_2[6] = {squared(p), squared(q), squared(r), edges_2_[0], edges_2_[1], edges_2_[2]};
     double least = 1e300;
-    double edges_2 = 0;
+    double sum_2 = 0;
     for (int edge = 0; edge < 6; ++edge) {
         // The angle at an edge lies between the faces opposite the two other corners: sine = 6 V l / (|n| |m|).
         const int* face = tet_edge_corners[5 - edge];
-        const double edge_2 = squared(corners[tet_edge_corners[edge][1]] - corners[tet_edge_corners[edge][0]]);
-        edges_2 += edge_2;
-        double sine_2 = edge_2 * inverse[face[0]] * inverse[face[1]];
-        if (dot(faces.normal[face[0]], faces.normal[face[1]]) > 0) sine_2 *= obtuse_bias * obtuse_bias;
+        sum_2 += edge_2[edge];
+        double sine_2 = edge_2[edge] * inverse[face[0]] * inverse[face[1]];
+        if (dot(normal[face[0]], normal[face[1]]) > 0) sine_2 *= obtuse_bias * obtuse_bias;
         least = std::min(least, sine_2);
     }
-    const double sine = faces.six_volumes * std::sqrt(least);
+    const double sine = six_volumes * std::sqrt(least);
     if (!(sine > 0)) return 0;
     // The mean ratio wants a cube root: take it only where it could be the smaller one.
     const double scale = 12 * mean_ratio_weight;
-    const double cubed = scale * scale * scale * 0.25 * faces.six_volumes * faces.six_volumes;
-    if (cubed > sine * sine * sine * (edges_2 * edges_2 * edges_2) * 1.0000001) return sine;
-    return std::min(sine, weighted(mean_ratio(faces.six_volumes, edges_2)).value);
+    const double cubed = scale * scale * scale * 0.25 * six_volumes * six_volumes;
+    if (cubed > sine * sine * sine * (sum_2 * sum_2 * sum_2) * 1.0000001) return sine;
+    return std::min(sine, weighted(mean_ratio(six_volumes, sum_2)).value);
 }
 
 ShapeTerms shape_terms(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {

@@ -5,6 +5,8 @@
 // long and flat a tet's mean ratio counts by its root: one that a needle of the shell makes long may have fair angles
 // all the same. Nothing here needs libm beyond the square root, so decisions come out the same on every machine.
 #pragma once
+#include <array>
+
 #include "core/vec3.h"
 
 namespace crumple::finish {
@@ -20,6 +22,23 @@ inline constexpr double flat_ratio = 0.03;
 
 // About 0.94 for a regular tet, at most 1; 0 for a tet that is flat or turned inside out.
 [[nodiscard]] double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+// The face opposite a node in one tet at it: (node, face[0], face[1], face[2]) is positive. Holds what the tets of all
+// places of the node share, for searches that ask for many.
+class OppositeFace {
+public:
+    OppositeFace(Vec3 b, Vec3 c, Vec3 d);
+    [[nodiscard]] const Vec3& operator[](int i) const { return corners_[i]; }
+
+    // shape_of(node, face[0], face[1], face[2]), to the bit.
+    [[nodiscard]] double shape_from(Vec3 node) const;
+
+private:
+    std::array<Vec3, 3> corners_;
+    Vec3 normal_;            // towards the node, twice the area
+    double inverse_area_2_;  // 1 / its squared length
+    double edges_2_[3];      // squared: 0 to 1, 0 to 2, 1 to 2
+};
 
 // The seven functions whose minimum the shape is, and how they change as corner a moves. A positive tet only.
 struct ShapeTerms {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "finish/shape.h"
-
 namespace crumple::finish {
 
 namespace {
@@ -68,7 +66,7 @@ double longest_step(Vec3 node, const std::vector<OppositeFace>& faces) {
 double least_at(Vec3 node, std::vector<OppositeFace>& faces, double floor) {
     double least = 1;
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        least = std::min(least, shape_of(node, faces[i][0], faces[i][1], faces[i][2]));
+        least = std::min(least, faces[i].shape_from(node));
         if (least > floor) continue;
         std::swap(faces[0], faces[i]);
         return least;

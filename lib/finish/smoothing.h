@@ -3,17 +3,13 @@
 // "Tetrahedral mesh improvement using swapping and smoothing"]: steepest ascent of a minimum of smooth functions. The
 // direction is the shortest vector in the convex hull of the gradients of the functions that are nearly the minimum.
 #pragma once
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/vec3.h"
+#include "finish/shape.h"
 
 namespace crumple::finish {
-
-// The face opposite the node in one tet at it: (node, face[0], face[1], face[2]) is positive.
-using OppositeFace = std::array<Vec3, 3>;
 
 struct BetterPlace {
     Vec3 place;    // float-representable
