@@ -159,29 +159,53 @@ class Output(program.Case):
             self.ok(self.cook("--depfile", "dep.d", recipe=recipe, cwd=self.folder))
             self.assertEqual(self.path("dep.d").read_text().split(), [f"{self.output}:", str(self.shell), str(self.visual)])
 
-    def test_the_depfile_is_read_by_make_whatever_the_names(self):
-        make = shutil.which("make")
-        if not make:
-            self.skipTest("no make")
-        folder = self.path("a b#c$d")
+    def cook_with_odd_names(self):
+        """Inputs whose names a rule has to quote, older than the output."""
+        folder = self.path("a b#c$d:e")
         folder.mkdir()
         self.shell = self.shell.rename(folder / "sh ell.obj")
-        self.visual = self.visual.rename(self.path("back\\slash.obj"))
+        self.visual = self.visual.rename(self.path("back\\slash+,_~(){}%@[]!-\u00fc.obj"))
         self.ok(self.cook("--depfile", "dep.d", output="out.hdf", cwd=self.folder))
+        for path in [self.shell, self.visual]:
+            os.utime(path, (1, 1))
+
+    def tool(self, name):
+        return shutil.which(name) or self.skipTest(f"no {name}")
+
+    def test_the_depfile_is_read_by_make_whatever_the_names(self):
+        make = self.tool("make")
+        self.cook_with_odd_names()
         self.path("Makefile").write_text("out.hdf:\n\ttouch $@\ninclude dep.d\n")
         plan = lambda: subprocess.run([make, "-q", "out.hdf"], cwd=self.folder, capture_output=True).returncode
-        for path in [self.shell, self.visual]:
-            os.utime(self.output)
-            os.utime(path, (1, 1))
         self.assertEqual(plan(), 0, "nothing to do")
         for path in [self.shell, self.visual]:
             os.utime(path, (2**32, 2**32))
             self.assertEqual(plan(), 1, path)
             os.utime(path, (1, 1))
 
-    def test_a_depfile_cannot_name_a_line_break(self):
-        self.shell = self.shell.rename(self.path("two\nlines.obj"))
-        self.fails(self.cook("--depfile", self.path("dep.d")), 1, "--depfile", "line break")
+    def test_the_depfile_is_read_by_ninja_whatever_the_names(self):
+        ninja = self.tool("ninja")
+        self.cook_with_odd_names()
+        self.path("build.ninja").write_text(
+            "rule cook\n  command = touch $out && cp dep.d used.d\n  depfile = used.d\nbuild out.hdf: cook\n")
+        plan = lambda *words: subprocess.run([ninja, *words], cwd=self.folder, capture_output=True, text=True).stdout
+        plan()
+        self.assertIn("no work to do", plan("-n"))
+        for path in [self.shell, self.visual]:
+            os.utime(path, (2**32, 2**32))
+            self.assertIn("touch", plan("-n", "-v"), path)
+            os.utime(path, (1, 1))
+
+    def test_what_make_or_ninja_would_misread_is_refused_by_a_depfile(self):
+        shell = self.shell
+        for name, word in [("two\nlines", "line break"), ("a\tb", "tab"), ("a=b", "'='"), ("a;b", "';'"), ("a|b", "'|'"),
+                           ("a&b", "'&'"), ("a*b", "'*'"), ("a'b", "cannot name"), ("a\\#b", "'\\#'")]:
+            self.shell = shell.rename(self.path(name + ".obj"))
+            self.fails(self.cook("--depfile", self.path("dep.d")), 1, "--depfile", word)
+            self.assertFalse(self.output.exists())
+            self.shell.rename(shell)
+        self.shell = shell
+        self.fails(self.cook("--depfile", self.path("dep.d"), output=self.path("a%b.hdf")), 1, "--depfile", "'%'")
 
 
 class Same(program.Case):
