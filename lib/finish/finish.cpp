@@ -63,6 +63,7 @@ public:
           guard_(guard),
           work_(mesh),
           budget_(std::uint64_t{params.budget} * mesh.tets.size()),
+          node_budget_(budget_ / 4),
           volume_(params.peel_volume * report.before.volume) {}
 
     void merge_crowded() { report_.operations.contractions += merge_crowded_nodes(work_, guard_, context_); }
@@ -100,7 +101,8 @@ private:
     }
 
     bool add_nodes(NodeAdder& adder, double level) {
-        const NodeReport added = adder.run(level, budget_ - report_.tried, context_);
+        const NodeReport added = adder.run(level, std::min(node_budget_, budget_ - report_.tried), context_);
+        node_budget_ -= added.tried;
         report_.operations.insertions += added.added;
         report_.operations.reseats += added.reseated;
         report_.is_out_of_budget |= added.is_out_of_budget;
@@ -152,7 +154,9 @@ private:
     const SurfaceGuard& guard_;
     WorkMesh work_;
     std::uint64_t budget_;
-    double volume_;  // that may still be peeled off
+    std::uint64_t
+        node_budget_;  // where most tets are bad, nodes would take it all and leave nothing to mend around them
+    double volume_;    // that may still be peeled off
 };
 
 }

@@ -285,6 +285,20 @@ TEST(Finish, ScaleDoesNotMatter) {
         EXPECT_EQ(one.mesh.positions[v] * 4096, other.mesh.positions[v]);
 }
 
+// Where most tets are bad, planning nodes would spend all of it and nothing be left to mend around them.
+TEST(Finish, NodesSpendAQuarterOfTheBudgetAtMost) {
+    Shell shell = shapes::torus(1, 0.4, 24, 12);
+    for (Vec3& p : shell.positions) p = round_to_float({p.x, p.y, 0.05 * p.z});
+    const TetMesh mesh = culled(shell);
+    Params params;
+    const Operations free = finish_mesh(shell, mesh, params).report.operations;
+    ASSERT_GT(free.insertions + free.reseats, 0u);
+    params.budget = static_cast<std::uint32_t>(500 / mesh.tets.size()) + 1;  // a quarter of it is less than one plan
+    const Operations scarce = finish_mesh(shell, mesh, params).report.operations;
+    EXPECT_EQ(scarce.insertions + scarce.reseats, 0u);
+    EXPECT_GT(scarce.edge_removals + scarce.face_removals + scarce.moves, 0u);
+}
+
 TEST(Finish, ABudgetCountsOperations) {
     const Shell shell = shapes::torus(1, 0.4, 24, 12);
     const TetMesh mesh = culled(shell);
