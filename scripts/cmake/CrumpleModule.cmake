@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 # The two functions every folder of the project is built with.
 #
-#   crumple_module(cull SOURCES cull.cpp classify.cpp USES core geometry mesh PACKAGES CGAL::CGAL [LICENSE MIT])
+#   crumple_module(cull SOURCES cull.cpp classify.cpp USES core geometry mesh PACKAGES CGAL::CGAL [LICENSE MIT] [HOT])
 #   crumple_test(cull [SOURCES test_cull.cpp ...] [USES sample ...] [PACKAGES CGAL::CGAL])
 #
 # A module may only use modules that were added before it, so the layers of lib/README.md hold at configure time.
-# Packages are linked PRIVATE: their headers appear in .cpp files only.
+# Packages are linked PRIVATE: their headers appear in .cpp files only. HOT: what loops over whole meshes; a build that
+# optimizes little compiles it with CRUMPLE_HOT_FLAGS, or its tests take half as long again.
 
 include(GNUInstallDirs)
 
@@ -28,24 +29,26 @@ endfunction()
 
 # What nearly every file of lib includes, compiled once: it takes a third off most files' compile time. A game that builds
 # the runtime's sources in its own tree has few files, and does without.
-function(_crumple_library_headers target)
+function(_crumple_library_headers target flags)
     if(CRUMPLE_RUNTIME_ONLY)
         return()
     endif()
-    if(NOT TARGET crumple_library_headers)
-        file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/library_headers.cpp CONTENT "")
-        add_library(crumple_library_headers OBJECT ${PROJECT_BINARY_DIR}/library_headers.cpp)
-        set_target_properties(crumple_library_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-        target_compile_features(crumple_library_headers PUBLIC cxx_std_20)
-        target_precompile_headers(crumple_library_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <memory>
+    string(MAKE_C_IDENTIFIER "crumple_library_headers${flags}" headers)
+    if(NOT TARGET ${headers})
+        file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${headers}.cpp CONTENT "")
+        add_library(${headers} OBJECT ${PROJECT_BINARY_DIR}/${headers}.cpp)
+        set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        target_compile_features(${headers} PUBLIC cxx_std_20)
+        target_compile_options(${headers} PRIVATE ${flags})
+        target_precompile_headers(${headers} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <memory>
             <optional> <span> <string> <string_view> <vector>)
-        _crumple_flags(crumple_library_headers)
+        _crumple_flags(${headers})
     endif()
-    target_precompile_headers(${target} REUSE_FROM crumple_library_headers)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
 function(crumple_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "LICENSE" "SOURCES;USES;PACKAGES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "HOT" "LICENSE" "SOURCES;USES;PACKAGES")
     if(NOT arg_LICENSE)
         set(arg_LICENSE GPL)
     endif()
@@ -68,7 +71,12 @@ function(crumple_module name)
     list(TRANSFORM arg_USES PREPEND crumple_ OUTPUT_VARIABLE used_targets)
     target_link_libraries(crumple_${name} PUBLIC ${used_targets} PRIVATE ${arg_PACKAGES})
     _crumple_flags(crumple_${name})
-    _crumple_library_headers(crumple_${name})
+    set(hot_flags "")
+    if(arg_HOT)
+        set(hot_flags ${CRUMPLE_HOT_FLAGS})
+        target_compile_options(crumple_${name} PRIVATE ${hot_flags})
+    endif()
+    _crumple_library_headers(crumple_${name} "${hot_flags}")
     set_property(GLOBAL APPEND PROPERTY CRUMPLE_MODULES ${name})
     set_property(GLOBAL PROPERTY CRUMPLE_MODULE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()
