@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/outside.h"
 
@@ -53,6 +54,7 @@ Trial propose(const Model& model, const State& state, Workspace& w, const StepIn
         }
         set_row(trial.positions, node, x);
         set_row(trial.velocities, node, u);
+        trial.positions[4 * node + 3] = trial.velocities[4 * node + 3] = 0;  // what the solve left there
         const double mass = model.bundle.mass[node];
         const Vec3f push = outside_force(model, state, input, node);
         trial.kinetic += 0.5 * mass * static_cast<double>(dot(v, v));
@@ -125,7 +127,9 @@ void add_impulses(const Model& model, const State& state, const Workspace& w, co
 
 void commit(const Model& model, State& state, const Trial& trial) {
     for (std::size_t node = 0; node < model.node_count; ++node) {
-        state.moved[node] += length(row(trial.positions, node) - position(state, node));
+        // Squares of what is still a float may be none any more.
+        const float way = state.moved[node] + length(row(trial.positions, node) - position(state, node));
+        state.moved[node] = std::min(way, std::numeric_limits<float>::max());
     }
     std::copy_n(trial.positions.begin(), 4 * model.node_count, state.positions.begin());
     std::copy_n(trial.velocities.begin(), 4 * model.node_count, state.velocities.begin());
@@ -168,7 +172,7 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
         shorten_change(model, state, w, constraints, whole, 1 - keep / before);
         result.is_cut = true;
     }
-    if (!std::isfinite(result.energy)) result.energy = budget = 0;
+    if (!std::isfinite(result.energy) || !std::isfinite(budget)) result.energy = budget = 0;
     header.energy = result.energy;
     header.budget = budget - std::max(0.0, budget - result.energy) * std::min(1.0, forgets_per_s * input.dt);
     return result;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstring>
 
 #include "solver/blob_view.h"
 #include "solver/c_handles.h"
-#include "solver/check_state.h"
+#include "solver/check_input.h"
 
 namespace crumple::solver {
 namespace {
@@ -110,10 +109,19 @@ crumple_report out(const InstanceReport& r) {
             r.is_asleep ? 1 : 0};
 }
 
+template <class T>
+bool is_array(const T* data, std::size_t count) {
+    return data != nullptr || count == 0;
+}
+
 // Whether the caller's bytes are obstacles and constraints at all: a byte may hold any number.
-bool are_kinds_known(const crumple_input& input) {
-    const auto obstacles = std::span(input.obstacles, input.obstacles ? input.obstacle_count : 0);
-    const auto constraints = std::span(input.constraints, input.constraints ? input.constraint_count : 0);
+bool are_arrays_fine(const crumple_input& input) {
+    if (!is_array(input.obstacles, input.obstacle_count) || !is_array(input.hits, input.hit_count) ||
+        !is_array(input.constraints, input.constraint_count)) {
+        return false;
+    }
+    const auto obstacles = std::span(input.obstacles, input.obstacle_count);
+    const auto constraints = std::span(input.constraints, input.constraint_count);
     return std::all_of(obstacles.begin(), obstacles.end(), [](const auto& o) { return o.shape <= CRUMPLE_BOX; }) &&
            std::all_of(constraints.begin(), constraints.end(),
                        [](const auto& c) { return c.kind <= CRUMPLE_IN_CONTACT; });
@@ -200,26 +208,11 @@ const float* crumple_velocities(const crumple_instance* instance) {
 }
 
 crumple_status crumple_set_velocity(crumple_instance* instance, uint32_t node, crumple_vec3f velocity) {
-    if (instance == nullptr || node >= instance->model->model.node_count) return CRUMPLE_BAD_ARGUMENT;
+    if (instance == nullptr || node >= instance->model->model.node_count || !is_usable(in(velocity))) {
+        return CRUMPLE_BAD_ARGUMENT;
+    }
     set_velocity(instance->state, node, in(velocity));
     return CRUMPLE_OK;
-}
-
-size_t crumple_state_size(const crumple_instance* instance) { return instance ? instance->memory.get().size() : 0; }
-
-crumple_status crumple_save(const crumple_instance* instance, void* bytes, size_t size) {
-    if (instance == nullptr || bytes == nullptr || size != crumple_state_size(instance)) return CRUMPLE_BAD_ARGUMENT;
-    std::memcpy(bytes, instance->memory.get().data(), size);
-    return CRUMPLE_OK;
-}
-
-crumple_status crumple_restore(crumple_instance* instance, const void* bytes, size_t size) {
-    if (instance == nullptr || bytes == nullptr || size != crumple_state_size(instance)) return CRUMPLE_BAD_ARGUMENT;
-    std::memcpy(instance->memory.get().data(), bytes, size);
-    const Model& model = instance->model->model;
-    if (first_problem(model, instance->state) == nullptr) return CRUMPLE_OK;
-    instance->state = make_state(model, instance->settings.plasticity, instance->memory.get());
-    return CRUMPLE_BAD_ARGUMENT;
 }
 
 void crumple_wake(crumple_instance* instance) {
@@ -249,7 +242,7 @@ crumple_status crumple_step(crumple_instance* instance, crumple_workspace* works
                             const crumple_jobs* jobs, crumple_report* report) {
     if (report) *report = {};
     if (instance == nullptr || workspace == nullptr || input == nullptr || workspace->model != instance->model ||
-        !are_kinds_known(*input)) {
+        !are_arrays_fine(*input)) {
         return CRUMPLE_BAD_ARGUMENT;
     }
     InstanceInput step_input = in(*input, *instance, workspace->room.get());

@@ -7,6 +7,14 @@
 namespace crumple::solver {
 namespace {
 
+// Of any length: squares of what lies near the ends of the range of double are 0 or infinite.
+Vec3 direction_of(Vec3 axis) {
+    const double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+    if (!(largest > 0)) return {0, 1, 0};
+    if (largest < 1e-150 || largest > 1e150) axis = axis / largest;
+    return axis / length(axis);
+}
+
 SurfacePoint from_centre(Vec3 away, double radius, Vec3 fallback) {
     const double size = length(away);
     return size > 0 ? SurfacePoint{size - radius, away / size} : SurfacePoint{-radius, fallback};
@@ -177,8 +185,7 @@ void hold_face(Contacts& contacts, const State& state, const Tet& tet, std::size
 SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
     if (o.shape == ObstacleShape::capsule) return capsule_surface(o, point);
     if (o.shape == ObstacleShape::box) return box_surface(o, point);
-    const double size = length(o.axis);
-    const Vec3 normal = size > 0 ? o.axis / size : Vec3{0, 1, 0};
+    const Vec3 normal = direction_of(o.axis);
     return {dot(point - o.position, normal) - o.radius, normal};
 }
 

@@ -27,7 +27,8 @@ uint32_t crumple_c_version(void);
 
 typedef enum crumple_status {
     CRUMPLE_OK = 0,
-    CRUMPLE_BAD_ARGUMENT = 1, /* a null, a wrong size, an index out of range */
+    CRUMPLE_BAD_ARGUMENT = 1, /* a null (also where a count says there is an array), a wrong size, an index out of
+                                 range, a kind or shape that is none: nothing was done */
     CRUMPLE_BAD_BLOB = 2,     /* the blob is refused */
     CRUMPLE_NO_MEMORY = 3     /* the allocator gave none */
 } crumple_status;
@@ -137,10 +138,12 @@ void crumple_instance_destroy(crumple_instance* instance);
 /* In the carrier's frame; four floats a node, the fourth 0. */
 const float* crumple_positions(const crumple_instance* instance);
 const float* crumple_velocities(const crumple_instance* instance);
+/* Refused: what is not finite or beyond 1e18. */
 crumple_status crumple_set_velocity(crumple_instance* instance, uint32_t node, crumple_vec3f velocity);
 
-/* The state as bytes: equal bytes are equal states. Restore takes what save gave for the same blob and settings; other
- * bytes are refused, and the body is as after crumple_instance_create. */
+/* The state as bytes: equal bytes are equal states. Restore takes what save gave for the same blob and plasticity.
+ * Other bytes are refused with CRUMPLE_BAD_ARGUMENT by their checksum, and the body stays as it was; bytes forged
+ * to have the right one never harm a step, but may leave the body as after crumple_instance_create. */
 size_t crumple_state_size(const crumple_instance* instance);
 crumple_status crumple_save(const crumple_instance* instance, void* bytes, size_t size);
 crumple_status crumple_restore(crumple_instance* instance, const void* bytes, size_t size);
@@ -191,7 +194,17 @@ typedef struct crumple_carrier {
     crumple_vec3 angular_acceleration;
 } crumple_carrier;
 
-/* Obstacles, hits, gravity and wind in the world, all else in the carrier's frame. */
+/* Obstacles, hits, gravity and wind in the world, all else in the carrier's frame.
+ *
+ * A step refuses an input as a whole, with CRUMPLE_BAD_INPUT in the report, nothing done and no load, when
+ * - a number it would use is not finite or beyond 1e18 in size;
+ * - dt is not above 0; the carrier's mass, a radius, a box's half edge, density or drag is below 0; a restitution is
+ *   not in 0 to 1;
+ * - the carrier's or a box's orientation is 0, or a plane's axis is (it may have any other length);
+ * - a sleep setting is not a number (infinite ones mean never or always).
+ * Not used, so not looked at: accelerations without has_inertia, the mass of a carrier that is not free, the axis and
+ * orientation of shapes without; by a sleeping body also dt, wind, forces and constraints.
+ * A single constraint that is bad is left out, with CRUMPLE_BAD_CONSTRAINT. */
 typedef struct crumple_input {
     float dt;
     crumple_carrier carrier;
@@ -217,11 +230,11 @@ crumple_input crumple_default_input(void);
 
 /* Bits of warnings. */
 enum {
-    CRUMPLE_TOO_STIFF = 1,
-    CRUMPLE_NOT_FINITE = 2,
-    CRUMPLE_BAD_CONSTRAINT = 4,
-    CRUMPLE_BAD_INPUT = 8,
-    CRUMPLE_RESTRAINED = 16
+    CRUMPLE_TOO_STIFF = 1,      /* float lost the positive definiteness: the solve stopped early */
+    CRUMPLE_NOT_FINITE = 2,     /* a node's velocity, or the load, overflowed and was set to 0 */
+    CRUMPLE_BAD_CONSTRAINT = 4, /* a constraint was left out */
+    CRUMPLE_BAD_INPUT = 8,      /* the input was refused: nothing was done */
+    CRUMPLE_RESTRAINED = 16     /* the step was cut short, or it would have made energy */
 };
 
 typedef struct crumple_report {
@@ -231,7 +244,7 @@ typedef struct crumple_report {
     uint32_t yielding;
     uint32_t warnings;
     double energy;
-    crumple_vec3 force;  /* on the rigid body that carries it, world */
+    crumple_vec3 force;  /* on the rigid body that carries it, world; always finite */
     crumple_vec3 torque; /* about the frame's origin */
     size_t contacts;
     int is_room_too_small;

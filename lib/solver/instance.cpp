@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/carrier_load.h"
+#include "solver/check_input.h"
 #include "solver/measure.h"
 
 namespace crumple::solver {
@@ -92,6 +93,16 @@ std::size_t fill_room(const Model& model, const State& state, Workspace& w, cons
     return given + counts.written;
 }
 
+InstanceReport refused() {
+    InstanceReport report;
+    report.step.warnings = step_bad_input;
+    return report;
+}
+
+bool is_finite(const CarrierLoad& load) {
+    return std::isfinite(length(load.force)) && std::isfinite(length(load.torque));
+}
+
 // Gives the hits to the nodes. What they gave in all, in the frame, N s and N m s about its origin.
 Six take_hits(const Model& model, State& state, const Frame& frame, std::span<const Hit> hits) {
     Six given{};
@@ -104,8 +115,8 @@ Six take_hits(const Model& model, State& state, const Frame& frame, std::span<co
     return given;
 }
 
-// Without wind and constraints.
-StepInput step_input_of(const InstanceInput& input, const Frame& frame) {
+// Without constraints. `wind` is its memory.
+StepInput step_input_of(const InstanceInput& input, const Frame& frame, Wind& wind) {
     StepInput step;
     step.dt = input.dt;
     step.gravity = pull_on(input, frame);
@@ -116,6 +127,11 @@ StepInput step_input_of(const InstanceInput& input, const Frame& frame) {
     step.has_free_carrier = input.is_carrier_free;
     step.carrier_mass = input.carrier_mass;
     step.forces = input.forces;
+    if (input.wind) {
+        wind = *input.wind;
+        wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));
+        step.wind = &wind;
+    }
     return step;
 }
 
@@ -140,31 +156,27 @@ void wake(State& state) noexcept {
 InstanceReport step_instance(const Model& model, State& state, Workspace& w, const InstanceInput& input,
                              const Settings& settings, const Jobs& jobs) noexcept {
     InstanceReport report;
+    if (!is_usable(input)) return refused();
     const Frame frame(input.carrier);
     report.is_asleep = stays_asleep(model, state, w, input, frame);
     if (report.is_asleep) return report;
-    // A game that stands still may make steps of no time. Their load would be 0 / 0.
-    if (!(input.dt > 0) || !std::isfinite(input.dt)) {
-        report.step.warnings = step_bad_input;
-        return report;
-    }
+    Wind wind;
+    StepInput step_input = step_input_of(input, frame, wind);
+    if (!is_usable(model, state, step_input, settings)) return refused();
     if (is_asleep(state)) wake(state);
 
     LoadInput load = load_input_of(model, state, input);
     load.given = take_hits(model, state, frame, input.hits);
-    StepInput step_input = step_input_of(input, frame);
-    Wind wind;
-    if (input.wind) {
-        wind = *input.wind;
-        wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));
-        step_input.wind = &wind;
-    }
     step_input.constraints = input.room.first(fill_room(model, state, w, input, frame, report));
     report.step = step(model, state, w, step_input, settings, jobs);
     const Vec3 impulse = report.step.impulse;
     const Vec3 angular = report.step.angular_impulse;
     add_to(load.given, 1, {impulse.x, impulse.y, impulse.z, angular.x, angular.y, angular.z});
     report.load = load_of(model, state, frame, load);
+    if (!is_finite(report.load)) {
+        report.load = {};
+        report.step.warnings |= step_not_finite;
+    }
     watch_sleep(model, state, input, report.step, step_input.gravity);
     return report;
 }

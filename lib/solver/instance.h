@@ -39,13 +39,15 @@ struct InstanceInput {
 
 struct InstanceReport {
     StepReport step;
-    CarrierLoad load;
+    CarrierLoad load;  // always finite; 0 where the input was refused
     std::size_t contacts = 0;
     bool is_room_too_small = false;  // some contacts were left out
     bool is_asleep = false;          // nothing was done
 };
 
-// Forces and constraints of the caller wake by wake() only: whoever gives them knows when.
+// An input that holds a number which is none, or is 0 or negative where that makes no sense (check_input.h; crumple.h
+// lists it), is refused: step_bad_input, the state unchanged. Forces and constraints of the caller wake by wake() only:
+// whoever gives them knows when.
 InstanceReport step_instance(const Model& model, State& state, Workspace& workspace, const InstanceInput& input,
                              const Settings& settings = {}, const Jobs& jobs = {}) noexcept;
 

@@ -5,24 +5,13 @@
 #include <cmath>
 
 #include "solver/advance.h"
+#include "solver/check_input.h"
 #include "solver/measure.h"
 #include "solver/outside.h"
 #include "solver/solve.h"
 
 namespace crumple::solver {
 namespace {
-
-bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-bool is_usable(const Wind& wind) { return is_finite(wind.velocity) && wind.density_kg_m3 >= 0 && wind.drag >= 0; }
-
-bool is_usable(const Model& model, const State& state, const StepInput& input, const Settings& settings) {
-    const auto is_full_or_empty = [&](std::size_t size) { return size == 0 || size == model.node_count; };
-    return input.dt > 0 && std::isfinite(input.dt) && is_finite(input.gravity) && is_finite(input.frame_turn) &&
-           is_finite(input.frame_turn_rate) && (input.wind == nullptr || is_usable(*input.wind)) &&
-           is_full_or_empty(input.forces.size()) && is_full_or_empty(input.reactions.size()) &&
-           state.shapes.empty() == (settings.plasticity != Plasticity::multiplicative);
-}
 
 // Velocities meet their constraints; `outside` becomes dt (gravity and forces) - dt alpha m v, and at constrained nodes
 // the momentum the constraint takes, which is part of its reaction.

@@ -86,9 +86,9 @@ struct StepInput {
 // Bits of StepReport::warnings.
 enum StepWarning : std::uint32_t {
     step_too_stiff = 1,       // float lost the positive definiteness of A: the solve stopped early
-    step_not_finite = 2,      // a velocity overflowed and was set to 0
+    step_not_finite = 2,      // a velocity, or the load, overflowed and was set to 0
     step_bad_constraint = 4,  // a node out of range or a direction without length: ignored
-    step_bad_input = 8,       // dt not positive, a wrong length: nothing was done
+    step_bad_input = 8,       // dt not positive, a wrong length, a number that is none: nothing was done
     step_restrained = 16,     // cut short, or it would have made energy
 };
 

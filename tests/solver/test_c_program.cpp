@@ -10,6 +10,7 @@
 
 #include "bundle/aligned_bytes.h"
 #include "bundle/blob.h"
+#include "bundle/hash64.h"
 #include "bundle/small_bundle.h"
 #include "core/random.h"
 #include "solver/instance.h"
@@ -152,34 +153,103 @@ TEST(CProgram, TakesNoMemoryInAStep) {
     crumple_model_destroy(model);
 }
 
-// A state from a damaged save: refused, or stepped without harm (sanitizers watch).
-TEST(CProgram, MayRestoreBytesFromAnywhere) {
-    const AlignedBytes blob(write_blob(tower()));
+// An instance that has made a few steps, and what it saved.
+struct Saved {
+    explicit Saved(const Bundle& bundle = tower(), std::uint32_t plasticity = CRUMPLE_ADDITIVE)
+        : blob(write_blob(bundle)) {
+        crumple_settings settings = crumple_default_settings();
+        settings.plasticity = plasticity;
+        EXPECT_EQ(crumple_model_create(blob.get().data(), blob.get().size(), nullptr, &model, nullptr), CRUMPLE_OK);
+        EXPECT_EQ(crumple_workspace_create(model, nullptr, &workspace), CRUMPLE_OK);
+        EXPECT_EQ(crumple_instance_create(model, &settings, nullptr, &instance), CRUMPLE_OK);
+        for (int i = 0; i < 3; ++i) step();
+        bytes = save();
+    }
+    Saved(const Saved&) = delete;
+    Saved& operator=(const Saved&) = delete;
+    ~Saved() {
+        crumple_instance_destroy(instance);
+        crumple_workspace_destroy(workspace);
+        crumple_model_destroy(model);
+    }
+    crumple_report step(const crumple_input& input = crumple_default_input()) {
+        crumple_report report;
+        EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, &report), CRUMPLE_OK);
+        return report;
+    }
+    [[nodiscard]] std::vector<std::byte> save() const {
+        std::vector<std::byte> saved(crumple_state_size(instance));
+        EXPECT_EQ(crumple_save(instance, saved.data(), saved.size()), CRUMPLE_OK);
+        return saved;
+    }
+    crumple_status restore(const std::vector<std::byte>& from) {
+        return crumple_restore(instance, from.data(), from.size());
+    }
+
+    AlignedBytes blob;
     crumple_model* model = nullptr;
     crumple_workspace* workspace = nullptr;
     crumple_instance* instance = nullptr;
-    ASSERT_EQ(crumple_model_create(blob.get().data(), blob.get().size(), nullptr, &model, nullptr), CRUMPLE_OK);
-    ASSERT_EQ(crumple_workspace_create(model, nullptr, &workspace), CRUMPLE_OK);
-    ASSERT_EQ(crumple_instance_create(model, nullptr, nullptr, &instance), CRUMPLE_OK);
-    const crumple_input input = crumple_default_input();
-    for (int i = 0; i < 3; ++i) crumple_step(instance, workspace, &input, nullptr, nullptr);
-    std::vector<std::byte> good(crumple_state_size(instance));
-    ASSERT_EQ(crumple_save(instance, good.data(), good.size()), CRUMPLE_OK);
+    std::vector<std::byte> bytes;
+};
+
+TEST(CProgram, IsRefusedASaveWithAnyBitChanged) {
+    Saved saved;
+    saved.step();
+    const std::vector<std::byte> before = saved.save();
+    Rng rng(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<std::byte> bytes = saved.bytes;
+        const std::uint32_t bit = rng.next_below(static_cast<std::uint32_t>(8 * bytes.size()));
+        bytes[bit / 8] ^= static_cast<std::byte>(1u << bit % 8);
+        EXPECT_EQ(saved.restore(bytes), CRUMPLE_BAD_ARGUMENT) << bit;
+    }
+    EXPECT_EQ(saved.save(), before) << "refused bytes change nothing";
+    EXPECT_EQ(saved.restore(saved.bytes), CRUMPLE_OK);
+    EXPECT_EQ(saved.save(), saved.bytes);
+}
+
+TEST(CProgram, IsRefusedTheSaveOfAnotherBlobOrPlasticity) {
+    Bundle softer = tower();
+    softer.materials[0].young_pa *= 0.5;
+    Saved saved, of_softer(softer), of_other(tower(), CRUMPLE_PLASTICITY_OFF), of_same;
+    ASSERT_EQ(saved.bytes.size(), of_softer.bytes.size());
+    ASSERT_EQ(saved.bytes.size(), of_other.bytes.size());
+    EXPECT_EQ(saved.restore(of_softer.bytes), CRUMPLE_BAD_ARGUMENT);
+    EXPECT_EQ(saved.restore(of_other.bytes), CRUMPLE_BAD_ARGUMENT);
+    EXPECT_EQ(saved.restore(of_same.bytes), CRUMPLE_OK);
+}
+
+TEST(CProgram, RestoresWhateverItSaved) {
+    Saved saved;
+    for (const float speed : {1e6f, 1e12f, 1e18f}) {
+        EXPECT_EQ(crumple_set_velocity(saved.instance, 3, {speed, -speed, speed}), CRUMPLE_OK);
+        for (int i = 0; i < 4; ++i) {
+            saved.step();
+            EXPECT_EQ(saved.restore(saved.save()), CRUMPLE_OK) << speed;
+        }
+    }
+}
+
+// Bytes with the right checksum, the last eight, around anything: refused, or stepped without harm (sanitizers watch).
+TEST(CProgram, MayRestoreBytesFromAnywhere) {
+    Saved saved;
     Rng rng(5);
     int refused = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-        std::vector<std::byte> bytes = good;
+        std::vector<std::byte> bytes = saved.bytes;
+        const std::size_t size = bytes.size() - 8;
         for (int change = 0; change < 4; ++change) {
-            bytes[rng.next_below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::byte>(rng.next_u32());
+            bytes[rng.next_below(static_cast<std::uint32_t>(size))] = static_cast<std::byte>(rng.next_u32());
         }
-        refused += crumple_restore(instance, bytes.data(), bytes.size()) == CRUMPLE_OK ? 0 : 1;
-        EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, nullptr), CRUMPLE_OK);
+        const std::uint64_t hash = hash64(std::span(bytes).first(size));
+        std::memcpy(&bytes[size], &hash, sizeof hash);
+        refused += saved.restore(bytes) == CRUMPLE_OK ? 0 : 1;
+        saved.step();
     }
     EXPECT_GT(refused, 20);
-    EXPECT_EQ(crumple_restore(instance, good.data(), good.size()), CRUMPLE_OK);
-    crumple_instance_destroy(instance);
-    crumple_workspace_destroy(workspace);
-    crumple_model_destroy(model);
+    EXPECT_LT(refused, 1000);
+    EXPECT_EQ(saved.restore(saved.bytes), CRUMPLE_OK);
 }
 
 TEST(CProgram, IsToldWhatIsWrongWithABlob) {
@@ -228,13 +298,24 @@ TEST(CProgram, IsRefusedWhatMakesNoSense) {
     input.obstacles = &thing;
     input.obstacle_count = 1;
     EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, nullptr), CRUMPLE_BAD_ARGUMENT);
+    for (const auto count :
+         {&crumple_input::obstacle_count, &crumple_input::hit_count, &crumple_input::constraint_count}) {
+        input = crumple_default_input();
+        input.*count = 5;  // of a null
+        EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, nullptr), CRUMPLE_BAD_ARGUMENT);
+    }
     input = crumple_default_input();
-    input.dt = -1;
+    input.carrier.orientation.w = std::numeric_limits<float>::quiet_NaN();
     crumple_report report;
     EXPECT_EQ(crumple_step(instance, workspace, &input, nullptr, &report), CRUMPLE_OK);
-    EXPECT_NE(report.warnings & CRUMPLE_BAD_INPUT, 0u);
+    EXPECT_EQ(report.warnings, static_cast<uint32_t>(CRUMPLE_BAD_INPUT));
+    EXPECT_EQ(report.force.x, 0);
 
     EXPECT_EQ(crumple_set_velocity(instance, 1u << 30, {}), CRUMPLE_BAD_ARGUMENT);
+    for (const float speed : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
+        EXPECT_EQ(crumple_set_velocity(instance, 0, {0, speed, 0}), CRUMPLE_BAD_ARGUMENT);
+        EXPECT_EQ(crumple_velocities(instance)[1], 0);
+    }
     EXPECT_EQ(crumple_save(instance, &report, 3), CRUMPLE_BAD_ARGUMENT);
     EXPECT_EQ(crumple_find_visual(model, "none such"), UINT32_MAX);
     EXPECT_EQ(crumple_visual_name(model, 5), nullptr);

@@ -78,11 +78,14 @@ TEST(Stability, BadInputDoesNothingAndSaysSo) {
     Body body(grid_body({1, 1, 1}, {1, 1, 1}, crash_material()));
     const std::vector<std::byte> before(body.bytes().begin(), body.bytes().end());
     std::vector<Vec3f> short_list(3);
-    StepInput inputs[4];
+    std::vector<Vec3f> no_numbers(body.node_count());
+    no_numbers[5].y = std::numeric_limits<float>::quiet_NaN();
+    StepInput inputs[5];
     inputs[0].dt = 0;
     inputs[1].dt = std::numeric_limits<float>::quiet_NaN();
     inputs[2].gravity.y = std::numeric_limits<float>::infinity();
     inputs[3].forces = short_list;
+    inputs[4].forces = no_numbers;
     for (const StepInput& input : inputs) {
         EXPECT_EQ(body.step(input).warnings, static_cast<std::uint32_t>(step_bad_input));
         EXPECT_EQ(std::memcmp(before.data(), body.bytes().data(), before.size()), 0);
@@ -92,9 +95,10 @@ TEST(Stability, BadInputDoesNothingAndSaysSo) {
 TEST(Stability, ForcesThatOverflowStopTheirNodesAndStayFinite) {
     Body body(grid_body({2, 2, 2}, {0.5f, 0.5f, 0.5f}, crash_material()));
     std::vector<Vec3f> forces(body.node_count());
-    forces[3] = {3e38f, 0, 0};
-    forces[9] = {std::numeric_limits<float>::quiet_NaN(), 0, 0};
+    forces[3] = {1e18f, 0, 0};
+    forces[9] = {0, -1e18f, 0};
     StepInput input;
+    input.dt = 1e18f;
     input.forces = forces;
     for (int i = 0; i < 5; ++i) EXPECT_NE(body.step(input).warnings & step_not_finite, 0u);
     for (int i = 0; i < 50; ++i) body.step(1.0f / 60);
