@@ -58,7 +58,19 @@ struct Prescan {
 // beyond its buffer, no node is its own parent. A shell's colours are as many as its vertices.
 [[nodiscard]] Prescan prescan_gltf(std::string_view bytes, Purpose purpose = Purpose::shell);
 
-// Collects the numbers of COLLADA, X, and of FBX and STL where they are text; never throws.
+// COLLADA: the XML is well formed, arrays hold what they announce and are not read past their end, `<p>` holds indices of
+// what is there, transforms are finite, what is drawn many times stays of a size, the unit is a length. Keeps numbers.
+[[nodiscard]] Prescan prescan_dae(std::string_view text, Purpose purpose);
+
+// FBX: the nodes fit the file, arrays hold what they announce, polygons end and name vertices that are there, the unit
+// is a length; a shell's colours are mapped in a way that is read, as many as they must be. Keeps the numbers of text.
+[[nodiscard]] Prescan prescan_fbx(std::string_view bytes, Purpose purpose);
+
+// X: where it is text, its objects end, meshes hold what they announce and a shell's vertices one colour each. Keeps
+// numbers.
+[[nodiscard]] Prescan prescan_x(std::string_view bytes, Purpose purpose);
+
+// Collects the numbers of a text file; nothing of another; never throws.
 [[nodiscard]] Prescan prescan_numbers(std::string_view bytes);
 
 }

@@ -35,9 +35,12 @@ Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
         case FormatId::gltf:
             return prescan_gltf(bytes, purpose);
         case FormatId::dae:
+            return prescan_dae(bytes, purpose);
         case FormatId::fbx:
-        case FormatId::stl:
+            return prescan_fbx(bytes, purpose);
         case FormatId::x:
+            return prescan_x(bytes, purpose);
+        case FormatId::stl:
             return prescan_numbers(bytes);
     }
     return {};

@@ -131,7 +131,15 @@ void import_scene(const Scene& scene, double thickness = 0) {
 
 constexpr int with_thickness = 7;
 
-void try_one(int kind, Purpose purpose, Bytes bytes) {
+// Formats that assimp reads from the file itself.
+void look_at_tree(int kind, Purpose purpose, std::string_view text) {
+    if (kind == 0) (void)prescan_numbers(text);
+    if (kind == 1) (void)prescan_dae(text, purpose);
+    if (kind == 2) (void)prescan_fbx(text, purpose);
+    if (kind == 3) (void)prescan_x(text, purpose);
+}
+
+void try_one(int kind, int tree_kind, Purpose purpose, Bytes bytes) {
     const std::span<const std::uint8_t> left = bytes.left();
     const std::string_view text(reinterpret_cast<const char*>(left.data()), left.size());
     switch (kind) {
@@ -148,7 +156,7 @@ void try_one(int kind, Purpose purpose, Bytes bytes) {
             (void)prescan_gltf(text, purpose);
             return;
         case 4:
-            (void)prescan_numbers(text);
+            look_at_tree(tree_kind, purpose, text);
             return;
         case 5:
             import_scene(decode(std::as_bytes(left)));
@@ -169,7 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const Purpose purpose = data[0] / 8 % 2 == 0 ? Purpose::shell : Purpose::visual;
     try {
-        try_one(data[0] % 8, purpose, Bytes(data + 1, size - 1));
+        try_one(data[0] % 8, data[0] / 16 % 4, purpose, Bytes(data + 1, size - 1));
     } catch (const Error& error) {
         // A thickness that floats cannot show at that place is asked for, not read.
         const bool is_thickness = data[0] % 8 == with_thickness && error.kind() == ErrorKind::usage;
