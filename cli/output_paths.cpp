@@ -24,6 +24,9 @@ bool is_same_file(const std::string& a, const std::string& b) {
 void check_output_paths(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [option, path, is_certain] = outputs[i];
+        if (path == "-")
+            throw Error(ErrorKind::usage,
+                        option + " -: this goes to a file, not to stdout; ./- is a file of that name");
         if (is_certain) store::check_can_write(path);
         for (const std::string& input : inputs) {
             if (!is_same_file(path, input)) continue;

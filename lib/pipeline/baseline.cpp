@@ -35,6 +35,12 @@ BaselineFile load_baseline(const std::string& path, bool may_be_missing) {
                       report::Described::of(baseline));
     if (baseline.schema != BaselineFile().schema)
         throw Error(ErrorKind::usage, path + ": schema: '" + baseline.schema + "' is not " + BaselineFile().schema);
+    for (const auto& [name, figures] : baseline.assets) {
+        if (figures.tets > 0 && figures.volume > 0) continue;
+        throw Error(ErrorKind::usage,
+                    path + ": assets." + name + "." + (figures.tets > 0 ? "volume" : "tets") +
+                        ": no asset has 0, so nothing could be compared; run crumple check --update-baseline");
+    }
     return baseline;
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "bundle/blob.h"
 #include "core/counted.h"
+#include "core/error.h"
 #include "pipeline/in_child.h"
 #include "report/number_text.h"
 #include "report/printable.h"
@@ -36,6 +38,15 @@ std::string difference_text(const store::DatasetDifference& difference) {
     return text + "\n";
 }
 
+std::vector<std::byte> read_comparable(const std::string& path) {
+    std::vector<std::byte> image = store::read_file(path);
+    if (is_blob(image)) {
+        throw Error(ErrorKind::usage,
+                    path + ": a blob has no datasets to compare; compare the bundles, or the blobs byte by byte (cmp)");
+    }
+    return image;
+}
+
 }
 
 CompareReport compare_images(std::vector<std::byte> a, const std::string& name_a, std::vector<std::byte> b,
@@ -59,8 +70,8 @@ CompareReport compare_images(std::vector<std::byte> a, const std::string& name_a
 }
 
 CompareReport compare_files(const std::string& a, const std::string& b) {
-    const std::vector<std::byte> image_a = store::read_file(a);
-    const std::vector<std::byte> image_b = store::read_file(b);
+    const std::vector<std::byte> image_a = read_comparable(a);
+    const std::vector<std::byte> image_b = read_comparable(b);
     return run_described_in_child<CompareReport>([&] { return compare_images(image_a, a, image_b, b); },
                                                  a + " or " + b);
 }

@@ -35,7 +35,7 @@ void describe(Visitor& visit, R& r) {
 [[nodiscard]] CompareReport compare_images(std::vector<std::byte> a, const std::string& name_a,
                                            std::vector<std::byte> b, const std::string& name_b);
 
-// In a child process with limits. Throws Error(file), or Error(difference) for a damaged file.
+// In a child process with limits. Throws Error(file), Error(usage) for a blob, or Error(difference) for a damaged file.
 [[nodiscard]] CompareReport compare_files(const std::string& a, const std::string& b);
 
 [[nodiscard]] std::string compare_text(const CompareReport& report);

@@ -27,8 +27,10 @@ std::string_view maker_of(Group group) {
 void require_inputs(const Stage& stage, const Workspace& work) {
     for (const Group group : stage.reads) {
         if (has_group(work, group)) continue;
-        throw Error(ErrorKind::bad_input, std::string(stage.name) + ": there is no /" + std::string(name_of(group)) +
-                                              " yet; run crumple " + std::string(maker_of(group)) + " first");
+        throw Error(ErrorKind::bad_input,
+                    std::string(stage.name) + ": there is no /" + std::string(name_of(group)) +
+                        (work.bundle ? " in it; crumple cook --keep-work leaves it in the bundle"
+                                     : " yet; run crumple " + std::string(maker_of(group)) + " first"));
     }
     // A stage that changes what it reads wants it as the stages before it left it.
     const bool changes = std::find(stage.reads.begin(), stage.reads.end(), stage.writes) != stage.reads.end();

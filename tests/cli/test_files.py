@@ -153,6 +153,17 @@ class Compare(program.Case):
         self.fails(program.run("compare", self.output, self.path("none.hdf")), 2, "none.hdf")
         self.fails(program.run("compare", self.output), 1)
 
+    def test_a_blob_is_not_called_damaged(self):
+        blob = self.path("out.blob")
+        self.ok(self.cook())
+        self.ok(program.run("export", self.output, "--blob", blob))
+        self.fails(program.run("compare", self.output, blob), 1, "out.blob", "compare the bundles")
+
+    def test_an_export_goes_to_a_file(self):
+        self.ok(self.cook())
+        self.fails(program.run("export", self.output, "--vtu", "-", cwd=self.folder), 1, "--vtu -", "./-")
+        self.assertFalse(self.path("-").exists())
+
 
 class Inspect(program.Case):
     def test_it_says_what_the_bundle_holds(self):

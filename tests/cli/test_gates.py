@@ -199,7 +199,9 @@ class Baseline(program.Case):
     def test_it_is_strict_json(self):
         for text, *parts in [('{"assets": {"out": {"pcg": 1}}}', "assets.out.pcg", "pcg_soft"), ("{", "line 1"),
                              ('{"schema": "crumple/check/1"}', "crumple/baseline/1"),
-                             ('{"assets": {"out": {"tets": -1}}}', "assets.out.tets", "out of range")]:
+                             ('{"assets": {"out": {"tets": -1}}}', "assets.out.tets", "out of range"),
+                             ('{"assets": {"out": {}}}', "assets.out.tets", "--update-baseline"),
+                             ('{"assets": {"out": {"tets": 5}}}', "assets.out.volume", "--update-baseline")]:
             self.baseline.write_text(text)
             self.fails(program.run("check", self.output, "--baseline", self.baseline), 1, "baseline.json", *parts)
 
@@ -207,6 +209,7 @@ class Baseline(program.Case):
         self.fails(program.run("check", self.output, "--baseline", self.path("none.json")), 2, "none.json")
         self.fails(program.run("check", self.output, "--update-baseline"), 1, "--baseline FILE")
         self.fails(program.run("check", self.output, "--baseline", self.output, "--update-baseline"), 1, "would replace")
+        self.fails(program.run("check", self.output, "--baseline", "-", "--update-baseline"), 1, "--baseline -", "./-")
 
     def test_a_damaged_file_changes_nothing(self):
         self.check("--update-baseline")

@@ -31,6 +31,10 @@ class Chain(program.Case):
         last = self.chain(**{name: recipe for name in STAGES})
         self.assertEqual(last.read_bytes(), self.output.read_bytes())
 
+    def test_a_bundle_without_work_says_how_to_keep_it(self):
+        self.ok(self.cook())
+        self.fails(self.stage("sample", self.path("x.hdf"), source=self.output), 3, "sample", "/asset", "--keep-work")
+
     def test_every_work_file_passes_check_and_can_be_inspected_and_exported(self):
         self.chain()
         for name in STAGES:
