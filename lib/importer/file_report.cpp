@@ -59,6 +59,19 @@ void judge_nodes(const Scene& scene, const FileReport& report, std::vector<Findi
                                     " outside the scene that is read (of another scene, or a level of detail)",
                                 count));
     }
+    if (const std::uint64_t count = scene.unread.skins; count > 0) {
+        findings.push_back(told("FILE_SKIN", Severity::warning, report,
+                                counted(count, "mesh is", "meshes are") +
+                                    " bound to a skeleton, which is not read: vertices are where they were before it "
+                                    "moved them; apply the armature before exporting if it poses the surface",
+                                count));
+    }
+    if (const std::uint64_t count = scene.unread.morphs; count > 0) {
+        findings.push_back(told("FILE_MORPH", Severity::warning, report,
+                                counted(count, "mesh or node mixes", "meshes and nodes mix") +
+                                    " in morph targets (shape keys), which are not read; apply them before exporting",
+                                count));
+    }
     if (scene.extensions.empty()) return;
     std::string names;
     for (std::size_t i = 0; i < std::min(scene.extensions.size(), max_places); ++i)
@@ -83,9 +96,8 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
     }
     if (const std::uint64_t count = scene.unread.bytes; count > 0) {
         findings.push_back(told("FILE_UNREAD", Severity::warning, report,
-                                counted(count, "byte follows", "bytes follow") +
-                                    " the last element that the header announces and " + (count == 1 ? "was" : "were") +
-                                    " not read; are the counts in the header too small?",
+                                counted(count, "byte follows", "bytes follow") + " what the header announces and " +
+                                    (count == 1 ? "was" : "were") + " not read; is what the header says too small?",
                                 count));
     }
     if (const std::uint64_t count = report.points_and_lines; count > 0) {

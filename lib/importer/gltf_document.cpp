@@ -32,8 +32,9 @@ void check_header(std::string_view bytes) {
     if (bytes.size() < header_size + chunk_header_size) refuse("the file ends within its header");
     if (u32_at(bytes, 4) != 2)
         refuse("glTF version " + std::to_string(u32_at(bytes, 4)) + " is not read; export glTF 2.0");
-    if (u32_at(bytes, 8) > bytes.size()) {
-        refuse("the header announces " + std::to_string(u32_at(bytes, 8)) + " bytes, the file has " +
+    const std::size_t length = u32_at(bytes, 8);
+    if (length > bytes.size() || length < header_size + chunk_header_size) {
+        refuse("the header announces " + std::to_string(length) + " bytes, the file has " +
                std::to_string(bytes.size()));
     }
 }
@@ -42,7 +43,8 @@ void check_header(std::string_view bytes) {
 std::string_view take_chunk(std::string_view& bytes, std::uint32_t type, const char* what) {
     const std::size_t size = u32_at(bytes, 0);
     if (u32_at(bytes, 4) != type) refuse(std::string("the chunk of ") + what + " is missing");
-    if (size > bytes.size() - chunk_header_size) refuse(std::string("the ") + what + " chunk is longer than the file");
+    if (size > bytes.size() - chunk_header_size)
+        refuse(std::string("the ") + what + " chunk is longer than the file, or than its header announces");
     const std::string_view chunk = bytes.substr(chunk_header_size, size);
     bytes.remove_prefix(chunk_header_size + size);
     return chunk;
@@ -74,10 +76,11 @@ Json parse_json(std::string_view text) {
 }
 
 Document parse(std::string_view bytes) {
-    if (bytes.size() < sizeof magic || u32_at(bytes, 0) != magic) return {parse_json(bytes), false, {}};
+    if (bytes.size() < sizeof magic || u32_at(bytes, 0) != magic) return {parse_json(bytes), false, {}, 0};
     check_header(bytes);
-    std::string_view left = bytes.substr(header_size);
-    Document document{parse_json(take_chunk(left, json_chunk, "JSON")), true, {}};
+    const std::size_t length = u32_at(bytes, 8);
+    std::string_view left = bytes.substr(header_size, length - header_size);
+    Document document{parse_json(take_chunk(left, json_chunk, "JSON")), true, {}, bytes.size() - length};
     // Chunks of other kinds may follow, or none at all.
     if (left.size() >= chunk_header_size && u32_at(left, 4) == binary_chunk)
         document.binary = take_chunk(left, binary_chunk, "BIN");

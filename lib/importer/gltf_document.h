@@ -18,6 +18,7 @@ struct Document {
     Json json;                // an object
     bool is_binary = false;   // .glb
     std::string_view binary;  // its second chunk, into the bytes given
+    std::size_t unread = 0;   // bytes behind the length that its header says
 };
 
 // The container fits the bytes and the JSON is well formed. Throws Error(bad_input).

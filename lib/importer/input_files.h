@@ -20,8 +20,8 @@ struct InputFile {
 // REQUIRES: as import_asset.
 [[nodiscard]] std::vector<InputFile> input_files(const Sources& sources, const Params& params = {});
 
-// As far as can be told without assimp: that each file is there, is of a format that is read, and that what its header,
-// counts, indices and numbers say fits together. Throws as import_asset. REQUIRES: as import_asset.
+// As far as can be told without assimp: that each file is there, is of a format that is read, and what its prescan asks
+// (prescan.h; nothing of STL and of X that is not text). Throws as import_asset. REQUIRES: as import_asset.
 void look_at_inputs(const Sources& sources, const Params& params = {});
 
 // Where a URI of a glTF file leads to. Throws Error(bad_input) for what is no relative path. May look whether a file is

@@ -114,12 +114,13 @@ void check_triangle_count(std::size_t count) {
                                           std::to_string(most_triangles) + "; a control shell is coarse, decimate it");
 }
 
-void check_usable(const Shell& shell, std::uint64_t file_triangles, bool is_caged) {
+void check_usable(const Shell& shell, std::uint64_t file_triangles, double unit, bool is_caged) {
     if (shell.triangles.empty()) {
-        throw Error(ErrorKind::bad_input,
-                    file_triangles == 0
-                        ? "SHELL_EMPTY: it has no faces; a control shell is a closed surface"
-                        : "SHELL_EMPTY: none of its " + std::to_string(file_triangles) + " triangles has an area");
+        throw Error(ErrorKind::bad_input, file_triangles == 0
+                                              ? "SHELL_EMPTY: it has no faces; a control shell is a closed surface"
+                                              : "SHELL_EMPTY: none of its " + std::to_string(file_triangles) +
+                                                    " triangles has an area, read at " + shortest(unit) +
+                                                    " m a unit of the file");
     }
     const double diagonal = bounding_box(shell.positions).diagonal();
     if (!(farthest_vertex(shell).distance <= hopelessly_far * diagonal)) {

@@ -17,7 +17,7 @@ void check_triangle_count(std::size_t count);
 
 // Throws Error(bad_input) when the shell has no triangle, when its place leaves floats no digits for its shape, or when
 // all its vertices lie in one plane (which a cage does not mind).
-void check_usable(const Shell& shell, std::uint64_t file_triangles, bool is_caged = false);
+void check_usable(const Shell& shell, std::uint64_t file_triangles, double unit, bool is_caged = false);
 
 // Pairs of triangles that meet, within a component and between two; components that enclose nothing.
 [[nodiscard]] std::vector<Finding> judge_shape(const Shell& shell, const Context& context,

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/index.h"
 #include "importer/color_name.h"
+#include "importer/coordinate.h"
 #include "importer/gltf_document.h"
 #include "importer/gltf_extensions.h"
 #include "importer/gltf_scene.h"
@@ -84,8 +85,12 @@ void check_reach(const Json& document, const Json& holder, std::uint64_t count, 
     const std::uint64_t index = number(holder, "bufferView", none);
     const Json& views = list(document, "bufferViews");
     if (index >= views.size()) refuse(name + " refers to no buffer view");
-    const std::uint64_t stride = number(views[index], "byteStride", element);
+    std::uint64_t stride = number(views[index], "byteStride", element);
+    if (stride == 0) stride = element;
     constexpr std::uint64_t most = std::uint64_t{1} << 15;
+    if (stride < element)
+        refuse(name + " has elements of " + std::to_string(element) + " bytes, which its buffer view puts " +
+               std::to_string(stride) + " bytes apart");
     if (stride > most || count > (std::uint64_t{1} << 40)) refuse(name + " is too large");
     if (number(holder, "byteOffset", 0) + stride * (count - 1) + element > number(views[index], "byteLength", 0))
         refuse(name + " reaches beyond its buffer view");
@@ -118,7 +123,11 @@ std::array<double, count> reals(const Json& object, const char* name, std::array
     const bool fits = found->is_array() && found->size() == count &&
                       std::all_of(found->begin(), found->end(), [](const Json& value) { return value.is_number(); });
     if (!fits) refuse(std::string("a node's ") + name + " is not " + std::to_string(count) + " numbers");
-    for (std::size_t i = 0; i < count; ++i) values[i] = (*found)[i].get<double>();
+    for (std::size_t i = 0; i < count; ++i) {
+        values[i] = (*found)[i].get<double>();
+        if (!coordinate_fault(values[i]).empty())
+            refuse(std::string("a number of a node's ") + name + " " + std::string(coordinate_fault(values[i])));
+    }
     return values;
 }
 
@@ -127,6 +136,9 @@ Affine transform_of(const Json& node) {
     if (!node.is_object()) refuse("a node is not an object");
     if (node.contains("matrix")) {
         const auto m = reals<16>(node, "matrix", {});
+        const auto is = [&](std::size_t i, float value) { return static_cast<float>(m[i]) == value; };
+        if (!is(3, 0) || !is(7, 0) || !is(11, 0) || !is(15, 1))
+            refuse("the matrix of a node is not affine: its last row must be 0 0 0 1");
         return {m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]};
     }
     const auto t = reals<3>(node, "translation", {0, 0, 0});
@@ -162,6 +174,8 @@ void check_color_set(const Json& document, const Json& attributes, const std::st
     if (count != vertices) {
         refuse(name + " holds " + std::to_string(count) + " colours for " + std::to_string(vertices) + " vertices");
     }
+    if (number(colors, "bufferView", none) == none && !colors.contains("sparse"))
+        refuse(name + " has no buffer view: all its colours would be 0, a lock");
     const std::uint64_t type = number(colors, "componentType", 0);
     constexpr std::uint64_t unsigned_byte = 5121;
     constexpr std::uint64_t unsigned_short = 5123;
@@ -211,11 +225,13 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose 
     if (primitive.contains("material") && number(primitive, "material", 0) >= list(document, "materials").size())
         refuse("a primitive has a material that is not there");
     const std::uint64_t mode = number(primitive, "mode", triangles_mode);
+    constexpr std::uint64_t fan_mode = 6;
+    if (mode > fan_mode) refuse("a primitive has the unknown mode " + std::to_string(mode));
     const std::uint64_t position = number(*attributes, "POSITION", none);
     const std::uint64_t indices = number(primitive, "indices", none);
     if (position == none || mode < triangles_mode) return 0;
     const std::uint64_t corners = number(accessor_at(document, indices == none ? position : indices), "count", 0);
-    if (mode == triangles_mode) return corners / 3;
+    if (mode == triangles_mode) return (corners + 2) / 3;  // the last may lack corners: not read
     return corners >= 3 ? corners - 2 : 0;
 }
 
@@ -226,6 +242,26 @@ std::uint64_t count_triangles(const Json& document, Purpose purpose) {
         for (const Json& primitive : list(mesh, "primitives")) {
             if (!primitive.is_object()) refuse("a primitive is not an object");
             count += triangles_of(document, primitive, purpose);
+        }
+    }
+    return count;
+}
+
+// Nodes whose mesh joints would move.
+std::uint64_t count_skinned(const Json& document) {
+    std::uint64_t count = 0;
+    for (const Json& node : list(document, "nodes")) count += node.contains("mesh") && node.contains("skin");
+    return count;
+}
+
+// Meshes and nodes that mix in morph targets from the start.
+std::uint64_t count_morphed(const Json& document) {
+    std::uint64_t count = 0;
+    for (const char* name : {"meshes", "nodes"}) {
+        for (const Json& item : list(document, name)) {
+            const Json& weights = list(item, "weights");
+            count += std::any_of(weights.begin(), weights.end(),
+                                 [](const Json& weight) { return weight.is_number() && weight.get<double>() != 0; });
         }
     }
     return count;
@@ -253,6 +289,9 @@ Prescan prescan_gltf(std::string_view bytes, Purpose purpose) {
     }
     result.buffers = gltf::external_buffers(json);
     gltf::choose_scene(document.json, result.unread);
+    result.unread.skins = count_skinned(json);
+    result.unread.morphs = count_morphed(json);
+    result.unread.bytes = document.unread;
     result.surface_only = gltf::surface_only(std::move(document), purpose == Purpose::shell);
     return result;
 }

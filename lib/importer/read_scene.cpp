@@ -67,6 +67,8 @@ std::string reason(const Assimp::Importer& importer, const std::string& path) {
     std::string text = importer.GetErrorString();
     if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     if (tells_of_nothing(text)) return no_faces;
+    if (text.find("but the limit is 32767") != std::string::npos)
+        return "a face has more than 32767 corners; split it, or triangulate before exporting";
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path))
         text.replace(at, path.size(), "the file");
     return "it cannot be read: it is damaged, cut short, or of a version that is not known; export it again, or in "
@@ -115,8 +117,9 @@ Source look_at(const std::string& path, const Format& format, Purpose purpose) {
     if (source.bytes.empty()) refuse("the file is empty");
     undisguise(source.bytes, format.id);
     source.scan = prescan(source.bytes, format.id, purpose);
-    if (purpose == Purpose::shell && counts_triangles(format.id) && source.scan.expected_triangles == 0)
-        refuse(no_faces);
+    // A visual mesh of glTF may be points: they move with the shell too.
+    const bool needs_faces = purpose == Purpose::shell || format.id != FormatId::gltf;
+    if (needs_faces && counts_triangles(format.id) && source.scan.expected_triangles == 0) refuse(no_faces);
     for (const ExternalBuffer& buffer : source.scan.buffers) source.buffers.push_back(read_buffer(path, buffer));
     return source;
 }
@@ -141,7 +144,9 @@ const aiScene& read_with_assimp(const std::string& path, const Source& source, c
     if (!scene) refuse(reason(*importer, name));
     check_importer(*scene, format);
     if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) || !scene->mRootNode || scene->mNumMeshes == 0) {
-        refuse("it holds no mesh");
+        refuse(
+            "the reader found no mesh in it; export what is selected or visible as polygons, or in another format (a "
+            "damaged mesh is left out too)");
     }
     return *scene;
 }

@@ -144,7 +144,7 @@ Shell shell_from_scene(const Scene& scene, const Format& format, const std::stri
     if (params.thicken > 0)
         components = thicken_and_report(surface, std::move(components), params.thicken, welded, report);
     Shell shell = shell_from(std::move(welded), components);
-    check_usable(shell, report.shell.triangles, params.cage > 0);
+    check_usable(shell, report.shell.triangles, placement.unit, params.cage > 0);
     context.stop_if_cancelled();
 
     append(report.findings, assign_roles(surface, components, params, shell));

@@ -65,7 +65,7 @@ TEST(PrescanGltf, RefusesWhatWouldBeReadAsNoise) {
                     accessors + R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
     };
     const std::string position = R"({"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3})";
-    const std::string color = R"({"componentType": 5121, "type": "VEC4", "count": )";
+    const std::string color = R"({"bufferView": 0, "componentType": 5121, "type": "VEC4", "count": )";
     EXPECT_EQ(gltf_message(mesh(position + ", " + color + "3}")), "");
     EXPECT_TRUE(contains(gltf_message(mesh(position + ", " + color + "2}")), "COLOR_0 holds 2 colours for 3 vertices"));
     EXPECT_TRUE(contains(
@@ -133,10 +133,10 @@ TEST(PrescanGltf, AVisualMeshMayBePaintedInAnyWay) {
 
 TEST(PrescanGltf, RefusesPaintThatAssimpWouldLeaveOut) {
     const auto message = [](const std::string& name, int type, const std::string& shape) {
-        return gltf_message(gltf(R"("buffers": [{"byteLength": 36, "uri": "a.bin"}],
-            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        return gltf_message(gltf(R"("buffers": [{"byteLength": 48, "uri": "a.bin"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48}],
             "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3},
-                          {"componentType": )" +
+                          {"bufferView": 0, "componentType": )" +
                                  std::to_string(type) + R"(, "type": ")" + shape + R"(", "count": 3}],
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0, ")" +
                                  name + R"(": 1}}]}])"));
@@ -198,6 +198,76 @@ TEST(PrescanGltf, RefusesBinaryFilesWithLyingSizes) {
     EXPECT_TRUE(contains(gltf_message("glTF" + u32(1) + u32(20 + size) + u32(size) + "JSON" + json), "version 1"));
     EXPECT_TRUE(contains(gltf_message("glTF" + u32(2) + u32(20 + size) + u32(0xfffffff0u) + "JSON" + json),
                          "longer than the file"));
+}
+
+// The accessors' elements of 4 and 12 bytes, so many bytes apart.
+std::string with_stride(int stride) {
+    return gltf(R"("buffers": [{"byteLength": 36, "uri": "a.bin"}, {"byteLength": 12, "uri": "b.bin"}],
+                   "bufferViews": [{"buffer": 0, "byteLength": 36},
+                                   {"buffer": 1, "byteLength": 12, "byteStride": )" +
+                std::to_string(stride) + R"(}],
+                   "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3},
+                                 {"bufferView": 1, "componentType": 5121, "type": "VEC4", "count": 3}],
+                   "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}}]}])");
+}
+
+TEST(PrescanGltf, ElementsThatOverlapAreRefused) {
+    EXPECT_EQ(gltf_message(with_stride(4)), "");
+    EXPECT_EQ(gltf_message(with_stride(0)), "");
+    EXPECT_TRUE(
+        contains(gltf_message(with_stride(3)), "accessor 1 has elements of 4 bytes, which its buffer view puts 3"));
+    std::string none_at_all = with_stride(4);
+    const std::string view = R"("bufferView": 1, )";
+    none_at_all.erase(none_at_all.find(view), view.size());
+    EXPECT_TRUE(contains(gltf_message(none_at_all), "COLOR_0 has no buffer view"));
+}
+
+TEST(PrescanGltf, TransformsAreAffineAndFinite) {
+    const auto matrix = [](const std::string& end) {
+        return gltf_message(gltf(R"("nodes": [{"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, )" + end + "]}]"));
+    };
+    EXPECT_EQ(matrix("0, 1"), "");
+    EXPECT_TRUE(contains(matrix("0, 0"), "not affine"));
+    EXPECT_TRUE(contains(matrix("1e300, 1"), "beyond the range of a float"));
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"scale": [1, 1, 1e39]}])")), "a node's scale is beyond"));
+}
+
+TEST(PrescanGltf, WhatMovesTheSurfaceBesidesItsNodesIsCounted) {
+    const std::string mesh = R"("meshes": [{"primitives": [], "weights": [0, 1]}], )";
+    const Prescan scan =
+        prescan_gltf(gltf(mesh + R"("nodes": [{"mesh": 0, "skin": 0}, {"mesh": 0, "weights": [0]}, {"skin": 0}])"));
+    EXPECT_EQ(scan.unread.skins, 1u);
+    EXPECT_EQ(scan.unread.morphs, 1u);
+}
+
+TEST(PrescanGltf, CornersThatAreNoWholeTriangleAreExpected) {
+    const auto triangles = [](int corners) {
+        return prescan_gltf(gltf(R"("accessors": [{"componentType": 5126, "type": "VEC3", "count": )" +
+                                 std::to_string(corners) + R"(, "bufferView": 0}],
+                                    "buffers": [{"byteLength": 84, "uri": "a.bin"}],
+                                    "bufferViews": [{"buffer": 0, "byteLength": 84}],
+                                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])"))
+            .expected_triangles;
+    };
+    EXPECT_EQ(triangles(6), 2u);
+    EXPECT_EQ(triangles(7), 3u);
+}
+
+TEST(PrescanGltf, TheLengthOfABinaryFileIsWhatItsHeaderSays) {
+    const std::string json = R"({"asset": {"version": "2.0"}}   )";
+    const auto u32 = [](std::size_t value) {
+        const auto number = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    const auto file = [&](std::size_t length) {
+        return "glTF" + u32(2) + u32(length) + u32(json.size()) + "JSON" + json + "more";
+    };
+    const std::size_t whole = 20 + json.size();
+    EXPECT_EQ(prescan_gltf(file(whole)).unread.bytes, 4u);
+    EXPECT_EQ(prescan_gltf(file(whole + 4)).unread.bytes, 0u);
+    EXPECT_TRUE(contains(gltf_message(file(whole - 4)), "JSON chunk is longer than the file, or than its header"));
+    EXPECT_TRUE(contains(gltf_message(file(12)), "the header announces 12 bytes"));
+    EXPECT_TRUE(contains(gltf_message(file(whole + 5)), "the header announces"));
 }
 
 }

@@ -303,5 +303,40 @@ TEST(ReadScene, PointsWithoutFacesAndFacesCutShortAreSaidInPlainWords) {
     EXPECT_TRUE(contains(message("f 1 2 3\n" + vertices.substr(0, 16)), "line 1: a face refers to vertex 3 of 2"));
 }
 
+TEST(ReadScene, ADryRunWantsFacesWhereImportDoes) {
+    const TempFolder folder;
+    const std::string ply = folder.write("a.ply",
+                                         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                         "property float y\nproperty float z\nend_header\n0 0 0\n");
+    const std::string off = folder.write("a.off", "OFF\n1 0 0\n0 0 0\n");
+    Sources sources;
+    sources.shell = folder.write("shell.obj", obj_text(shapes::box()));
+    for (const std::string& path : {ply, off}) {
+        sources.visuals = {{"", path}};
+        EXPECT_TRUE(contains(test::refusal_of([&] { look_at_inputs(sources); }).message, "has no faces")) << path;
+        EXPECT_TRUE(contains(test::refusal_of([&] { (void)import_asset(sources); }).message, "has no faces")) << path;
+    }
+}
+
+TEST(ReadScene, AFaceOfVeryManyCornersIsNamed) {
+    constexpr int corners = 32768;
+    std::string obj;
+    std::string face = "f";
+    for (int i = 0; i < corners; ++i) {
+        obj += "v " + std::to_string(i) + " " + std::to_string(i * i % 1000) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    const TempFolder folder;
+    EXPECT_TRUE(contains(refusal_of_file(folder.write("a.obj", obj + face + "\n")).message, "more than 32767 corners"));
+}
+
+TEST(ReadScene, AShellThatItsUnitMakesEmptySaysSo) {
+    const TempFolder folder;
+    Params params;
+    params.unit = 1e-300;
+    const auto refusal = refusal_of_file(folder.write("a.obj", obj_text(shapes::box())), params);
+    EXPECT_TRUE(contains(refusal.message, "read at 1e-300 m a unit of the file")) << refusal.message;
+}
+
 }
 }
