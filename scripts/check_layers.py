@@ -45,7 +45,7 @@ def section(words, keyword):
     if keyword not in words:
         return []
     rest = words[words.index(keyword) + 1:]
-    ends = [i for i, word in enumerate(rest) if word in ("LICENSE", "SOURCES", "USES", "PACKAGES")]
+    ends = [i for i, word in enumerate(rest) if word in ("HOT", "LICENSE", "SOURCES", "USES", "PACKAGES")]
     return rest[:ends[0]] if ends else rest
 
 
