@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crumple simulate
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <span>
 
 #include "cli/exit_codes.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
+#include "cli/run_series.h"
 #include "cli/verbs.h"
 #include "pipeline/output_file.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
 #include "report/printable.h"
 #include "report/text_view.h"
-#include "store/bundle_file.h"
 #include "store/write_file.h"
 #include "study/gltf.h"
 #include "study/load_scene.h"
@@ -46,50 +45,14 @@ study::VisualTriangles triangles_of(const pipeline::Workspace& work) {
     return triangles;
 }
 
-std::string frame_name(const std::string& stem, const std::string& mesh, std::size_t frame) {
-    std::string digits = std::to_string(frame);
-    digits.insert(0, 5 - std::min<std::size_t>(5, digits.size()), '0');
-    return stem + "_" + store::encode_name(mesh) + "_" + digits + ".hdf";
-}
-
-// run.hdf -> run_series/run_control_00000.hdf ... and run_series/run_control.hdf.series
-class Series {
-public:
-    explicit Series(const std::string& output) {
-        const std::filesystem::path path(output);
-        stem_ = path.stem().string();
-        folder_ = path.parent_path() / (stem_ + "_series");
-        std::error_code error;
-        std::filesystem::create_directories(folder_, error);
-        if (error) throw Error(ErrorKind::file, folder_.string() + ": " + error.message());
-    }
-    template <class ImageOf>
-    void write(const std::string& mesh, const study::Run& run, ImageOf&& image_of) const {
-        std::vector<study::SeriesFile> files;
-        for (std::size_t i = 0; i < run.frames.size(); ++i) {
-            files.push_back({frame_name(stem_, mesh, i), run.frames[i].time_s});
-            const std::vector<std::byte> image = image_of(run.frames[i]);
-            store::write_file((folder_ / files.back().name).string(), image);
-        }
-        const std::string index = study::series_index(files);
-        store::write_file((folder_ / (stem_ + "_" + store::encode_name(mesh) + ".hdf.series")).string(),
-                          std::as_bytes(std::span(index)));
-    }
-    [[nodiscard]] std::string folder() const { return folder_.string(); }
-
-private:
-    std::filesystem::path folder_;
-    std::string stem_;
-};
-
-void write_series(const std::string& output, const Bundle& bundle, const study::Run& run,
+void write_series(RunSeries& series, const Bundle& bundle, const study::Run& run,
                   const study::VisualTriangles& triangles) {
-    const Series series(output);
     series.write("control", run, [&](const study::Frame& f) { return study::control_image(bundle, f); });
     for (std::size_t i = 0; i < bundle.visuals.size(); ++i) {
         series.write(bundle.visuals[i].name, run,
                      [&](const study::Frame& f) { return study::visual_image(f, i, triangles[i]); });
     }
+    series.remove_stale();
 }
 
 std::string summary_of(const study::Run& run) {
@@ -111,6 +74,7 @@ void check_outputs(const SimulateFlags& flags) {
     std::vector<OutputPath> outputs{{"-o", flags.output}};
     if (!flags.formats.empty()) outputs.push_back({"--export gltf", glb_path(flags)});
     check_output_paths(outputs, {flags.input, flags.scene});
+    if (flags.has_series) RunSeries(flags.output).check({flags.input, flags.scene});
 }
 
 int run_simulate(const SimulateFlags& flags, const Console& console) {
@@ -118,17 +82,22 @@ int run_simulate(const SimulateFlags& flags, const Console& console) {
     check_outputs(flags);
     const pipeline::Workspace work = pipeline::read_work_file(flags.input);
     if (!work.bundle)
-        throw Error(ErrorKind::usage, report::printable(flags.input) + ": holds no bundle; run crumple bake");
+        throw Error(ErrorKind::bad_input,
+                    report::printable(flags.input) + ": there is no bundle yet; run crumple bake first");
     Context context;
     context.jobs = flags.jobs;
     const study::Run run = study::simulate(*work.bundle, scene, context);
     const study::VisualTriangles triangles = triangles_of(work);
-    store::write_file(flags.output, study::run_image(*work.bundle, scene, run));
-    if (flags.has_series) write_series(flags.output, *work.bundle, run, triangles);
+    const std::vector<std::byte> image = study::run_image(*work.bundle, scene, run);
+    if (flags.has_series) {
+        RunSeries series(flags.output);
+        write_series(series, *work.bundle, run, triangles);
+    }
     if (!flags.formats.empty()) {
         const std::string glb = study::run_glb(*work.bundle, run, triangles);
         store::write_file(glb_path(flags), std::as_bytes(std::span(glb)));
     }
+    store::write_file(flags.output, image);
     console.talk(summary_of(run) + report::findings_text(run.findings, {}));
     return exit_ok;
 }

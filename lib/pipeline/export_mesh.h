@@ -21,7 +21,7 @@ constexpr std::span<const EnumName<ExportFormat>> enum_names(ExportFormat) { ret
 [[nodiscard]] std::string export_mesh(const Bundle& bundle, ExportFormat format);
 
 // What the work has come to: the bundle, else the tets, else (OBJ only) the shell as imported, with its locks. A blob
-// wants the bundle, and a valid one.
+// wants the bundle, and a valid one. Throws Error(usage) when the work has not come so far.
 [[nodiscard]] std::string export_work(const Workspace& workspace, ExportFormat format);
 
 }

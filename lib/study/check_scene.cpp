@@ -26,8 +26,7 @@ void check_handle(const SceneHandle& h, const std::string& path) {
 }
 
 void check_obstacle(const SceneObstacle& o, const std::string& path) {
-    if (o.shape == solver::ObstacleShape::plane && !(length(o.axis) > 0))
-        refuse(path + ".axis", "a plane needs a normal");
+    if (o.shape == solver::ObstacleShape::plane && o.axis == Vec3{}) refuse(path + ".axis", "a plane needs a normal");
     if (o.shape == solver::ObstacleShape::capsule && !(o.radius_m > 0)) {
         refuse(path + ".radius_m", "a capsule needs a radius");
     }

@@ -21,6 +21,12 @@ constexpr std::span<const EnumName<ObstacleShape>> enum_names(ObstacleShape) { r
 
 namespace crumple::study {
 
+// What a scene may ask for, on each axis. Far beyond any crash, and what comes of it is still well inside a float.
+inline constexpr Range any_place{-1e5, 1e5};    // m; m/s^2
+inline constexpr Range any_speed{-1e4, 1e4};    // m/s
+inline constexpr Range any_turning{-1e6, 1e6};  // degrees, degrees a second
+inline constexpr Range any_axis{-1e6, 1e6};
+
 struct SceneObstacle {
     solver::ObstacleShape shape = solver::ObstacleShape::plane;
     Vec3 position;       // metres from the middle of the body's box
@@ -34,10 +40,11 @@ struct SceneObstacle {
 template <class Visitor, FieldsOf<SceneObstacle> O>
 void describe(Visitor& visit, O& o) {
     visit.field("shape", o.shape, "what it is");
-    visit.field("position", o.position, "metres from the middle of the body's box");
-    visit.field("axis", o.axis, "plane: normal out of the solid; capsule: half its length; box: half its edges");
+    visit.field("position", o.position, any_place, "metres from the middle of the body's box");
+    visit.field("axis", o.axis, any_axis,
+                "plane: normal out of the solid, of any length; capsule: half its length; box: half its edges");
     visit.field("radius_m", o.radius_m, Range{0, 1e4}, "of a capsule, a rounding of the others");
-    visit.field("velocity", o.velocity, "m/s");
+    visit.field("velocity", o.velocity, any_speed, "m/s");
     visit.field("restitution", o.restitution, Range{0, 1}, "part of the speed a node rebounds with");
     visit.field("gap_m", o.gap_m, Range{-1, 1e4}, "from 0: it is put this far from the body, on the way it will come");
 }
@@ -53,12 +60,12 @@ struct SceneHandle {
 
 template <class Visitor, FieldsOf<SceneHandle> H>
 void describe(Visitor& visit, H& h) {
-    visit.field("box_low", h.box_low, "corner of the box of its nodes, -1 to 1 over the body's box");
-    visit.field("box_high", h.box_high, "the other corner");
+    visit.field("box_low", h.box_low, any_place, "corner of the box of its nodes, -1 to 1 over the body's box");
+    visit.field("box_high", h.box_high, any_place, "the other corner");
     visit.field("spline", h.spline, "the curve through the keys");
     visit.field("times_s", h.times_s, Range{0, 1e4}, "of the keys, ascending");
-    visit.field("shift_m", h.shift_m, "where the nodes are at each key; empty: they stay");
-    visit.field("turn_deg", h.turn_deg, "how they are turned about their middle at each key; empty: not");
+    visit.field("shift_m", h.shift_m, any_place, "where the nodes are at each key; empty: they stay");
+    visit.field("turn_deg", h.turn_deg, any_turning, "how they are turned about their middle at each key; empty: not");
 }
 
 enum class Carrier { dynamic, fixed };
@@ -99,10 +106,10 @@ void describe(Visitor& visit, S& s) {
     visit.field("creep_scale", s.creep_scale, Range{0, 1e6}, "on the rate of plastic flow");
     visit.field("damping_scale", s.damping_scale, Range{0, 1e6},
                 "on the stiffness damping beta, whose stress can be far above yield in a crash");
-    visit.field("gravity", s.gravity, "m/s^2");
+    visit.field("gravity", s.gravity, any_place, "m/s^2");
     visit.field("carrier", s.carrier, "the rigid body that locked nodes hang on: moved by what happens, or held");
-    visit.field("velocity", s.velocity, "m/s at the start");
-    visit.field("angular_velocity_deg", s.angular_velocity_deg, "degrees a second at the start");
+    visit.field("velocity", s.velocity, any_speed, "m/s at the start");
+    visit.field("angular_velocity_deg", s.angular_velocity_deg, any_turning, "degrees a second at the start");
     visit.field("obstacles", s.obstacles, "what is in the way");
     visit.field("handles", s.handles, "nodes moved by keyframes");
 }

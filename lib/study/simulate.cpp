@@ -8,6 +8,8 @@
 #include <new>
 
 #include "core/parallel_for.h"
+#include "report/number_text.h"
+#include "solver/check_input.h"
 #include "solver/instance.h"
 #include "solver/measure.h"
 #include "solver/sensor.h"
@@ -276,6 +278,29 @@ Bundle with_scaled_materials(Bundle bundle, const Scene& scene) {
     return bundle;
 }
 
+bool is_finite(const SensorFrame& s) {
+    const solver::Quaternion q = s.orientation;
+    const double sum = static_cast<double>(q.x + q.y + q.z + q.w) + static_cast<double>(s.deformation) +
+                       static_cast<double>(s.plastic_strain) + static_cast<double>(s.acceleration);
+    return std::isfinite(sum) && solver::is_usable(narrow(s.origin));
+}
+
+bool is_finite(const Frame& f) {
+    const auto are_places = [](const std::vector<Vec3f>& places) {
+        return std::all_of(places.begin(), places.end(), [](Vec3f p) { return solver::is_usable(p); });
+    };
+    return are_places(f.nodes) && std::all_of(f.vertices.begin(), f.vertices.end(), are_places) &&
+           std::all_of(f.plastic_strain.begin(), f.plastic_strain.end(), [](float x) { return std::isfinite(x); }) &&
+           std::all_of(f.sensors.begin(), f.sensors.end(), [](const SensorFrame& s) { return is_finite(s); }) &&
+           std::isfinite(f.kinetic_j) && std::isfinite(f.elastic_j);
+}
+
+[[noreturn]] void leave_the_finite(double time_s) {
+    throw Error(ErrorKind::bad_input, "at " + report::number_text(time_s, 3) +
+                                          " s the run is beyond what floats can hold; it takes less speed and turning, "
+                                          "more steps_per_s or a smaller young_scale");
+}
+
 StepTimes times_of(std::vector<double> ms) {
     if (ms.empty()) return {};
     std::sort(ms.begin(), ms.end());
@@ -325,13 +350,16 @@ Run simulate(const Bundle& cooked, const Scene& scene, const Context& context) {
         const auto begin = std::chrono::steady_clock::now();
         player.step(i * dt, static_cast<float>(dt));
         ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-        run.warned_steps += player.report().step.warnings != 0;
+        const std::uint32_t warnings = player.report().step.warnings;
+        if ((warnings & solver::step_bad_input) != 0) leave_the_finite(i * dt);
+        run.warned_steps += warnings != 0;
         // Frame k is the first step at or behind its time.
         const double done = (i + 1.0) / run.steps;
         const auto due = static_cast<std::size_t>(std::floor(done * frame_count + 1e-9));
         if (due >= run.frames.size() || i + 1 == run.steps) {
             const double time_s = (i + 1) * dt;
             run.frames.push_back(player.frame(time_s, time_s - run.frames.back().time_s));
+            if (!is_finite(run.frames.back())) leave_the_finite(time_s);
         }
         context.tell_progress("simulate", done);
     }

@@ -55,7 +55,8 @@ struct Run {
     std::vector<Finding> findings;
 };
 
-// Throws Error(bad_input) for a bundle that cannot be stepped, Error(usage) for a handle without nodes.
+// Every number of the run is finite. Throws Error(bad_input) for a bundle that cannot be stepped and for a run that
+// leaves what floats can hold, Error(usage) for a handle without nodes.
 [[nodiscard]] Run simulate(const Bundle& bundle, const Scene& scene, const Context& context = {});
 
 }

@@ -232,13 +232,20 @@ void print_times(const char* when, std::vector<double>& times) {
                 times[times.size() / 2], times[times.size() * 99 / 100], times.back());
 }
 
+// A whole number from 1 to `most`, or 0.
+int count_of(const char* text, int most) {
+    char* end = nullptr;
+    const long count = std::strtol(text, &end, 10);
+    return end != text && *end == 0 && count >= 1 && count <= most ? static_cast<int>(count) : 0;
+}
+
 int run(int argc, char** argv) {
-    if (argc < 2) {
-        std::fprintf(stderr, "embed BLOB [THREADS [FRAMES]]\n");
+    const int thread_count = argc > 2 ? count_of(argv[2], 64) : 1;
+    const int frame_count = argc > 3 ? count_of(argv[3], 1000000) : 180;
+    if (argc < 2 || argc > 4 || thread_count == 0 || frame_count == 0) {
+        std::fprintf(stderr, "embed BLOB [THREADS [FRAMES]]: 1 to 64 threads, 1 to 1000000 frames\n");
         return 1;
     }
-    const int thread_count = std::clamp(argc > 2 ? std::atoi(argv[2]) : 1, 1, 64);
-    const int frame_count = std::max(argc > 3 ? std::atoi(argv[3]) : 180, 1);
 
     const Asset asset(argv[1]);
     std::vector<Car> cars;

@@ -44,6 +44,8 @@ class Simulate(program.Case):
                              ({"obstacles": [{"shape": "ball"}]}, "obstacles[0].shape"),
                              ({"obstacles": [{"shape": "capsule"}]}, "obstacles[0].radius_m"),
                              ({"handles": [{"times_s": [1, 0]}]}, "handles[0].times_s"),
+                             ({"velocity": [0, 0, 1e5]}, "velocity"), ({"gravity": [0, 1e308, 0]}, "gravity"),
+                             ({"obstacles": [{"axis": [-1e200, 0, 0]}]}, "obstacles[0].axis"),
                              ({"handles": [{"times_s": [0], "box_low": [5, 5, 5]}]}, "handles[0]")]:
             result = self.simulate(self.scene(**fields))
             self.assertEqual(result.returncode, 1, result.stderr)
@@ -68,6 +70,41 @@ class Simulate(program.Case):
                 reader.SetFileName(str(folder / entry["name"]))
                 reader.Update()
                 self.assertGreater(reader.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_a_shorter_run_takes_the_frames_of_a_longer_one_away(self):
+        folder = self.path("run_series")
+        self.ok(self.simulate(self.scene(seconds=0.5)))
+        longer = {path.name for path in folder.iterdir()}
+        foreign = {"notes.txt", "run_control.hdf", "run_control_7.hdf", "other_control_00099.hdf"}
+        for name in foreign:
+            (folder / name).write_text("mine")
+        (folder / "run_gone_00000.hdf").write_text("of a mesh that is gone")
+        self.ok(self.simulate(self.scene(seconds=0.2)))
+        left = {path.name for path in folder.iterdir()}
+        self.assertTrue(foreign < left)
+        self.assertLess(left - foreign, longer)
+        named = {entry["name"] for index in folder.glob("*.series") for entry in json.loads(index.read_text())["files"]}
+        self.assertEqual(left - foreign - {path.name for path in folder.glob("*.series")}, named)
+
+    def test_a_file_in_the_way_of_the_series_stops_before_anything_is_written(self):
+        self.path("run_series").write_text("in the way")
+        result = self.simulate("wall")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("run_series", result.stderr)
+        self.assertFalse(self.run_file.exists())
+        self.assertEqual(self.path("run_series").read_text(), "in the way")
+        self.ok(self.simulate("wall", "--no-series"))
+
+    def test_a_file_without_a_bundle_is_an_input_that_is_refused(self):
+        shell = self.path("shell.hdf")
+        self.ok(program.run("import", "--shell", program.SOURCE / "samples" / "car" / "car_shell.glb", "-o", shell))
+        for words in (["simulate", shell, "--scene", "wall", "-o", self.run_file],
+                      ["export", shell, "--blob", self.path("car.blob")],
+                      ["gates", shell, "-o", self.path("g.hdf")]):
+            result = program.run(*words)
+            self.assertEqual(result.returncode, 3, result.stderr)
+            self.assertIn("there is no", result.stderr)
+            self.assertIn("run crumple bake first", result.stderr)
 
     def test_the_animation_is_whole(self):
         self.ok(self.simulate("pole", "--export", "gltf"))

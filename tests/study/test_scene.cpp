@@ -30,6 +30,16 @@ TEST(Scene, ABrokenSceneSaysWhereAndWhat) {
     EXPECT_NE(complaint(R"({"obstacles": [{"shape": "bal"}]})").find("obstacles[0].shape"), std::string::npos);
     EXPECT_NE(complaint(R"({"obstacles": [{"shape": "capsule"}]})").find("obstacles[0].radius_m"), std::string::npos);
     EXPECT_NE(complaint(R"({"obstacles": [{"axis": [0, 0, 0]}]})").find("obstacles[0].axis"), std::string::npos);
+    EXPECT_NE(complaint(R"({"obstacles": [{"axis": [-1e200, 0, 0]}]})").find("obstacles[0].axis"), std::string::npos);
+    EXPECT_NE(complaint(R"({"obstacles": [{"velocity": [0, 1e308, 0]}]})").find("obstacles[0].velocity"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"obstacles": [{"position": [0, 1e6, 0]}]})").find("obstacles[0].position"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"velocity": [0, 0, 1e5]})").find("velocity"), std::string::npos);
+    EXPECT_NE(complaint(R"({"angular_velocity_deg": [0, 0, 1e7]})").find("angular_velocity_deg"), std::string::npos);
+    EXPECT_NE(complaint(R"({"gravity": [0, -1e308, 0]})").find("gravity"), std::string::npos);
+    EXPECT_NE(complaint(R"({"handles": [{"times_s": [0], "shift_m": [[1e9, 0, 0]]}]})").find("handles[0].shift_m"),
+              std::string::npos);
     EXPECT_NE(complaint(R"({"handles": [{}]})").find("handles[0].times_s"), std::string::npos);
     EXPECT_NE(complaint(R"({"handles": [{"times_s": [1, 1]}]})").find("ascend"), std::string::npos);
     EXPECT_NE(complaint(R"({"handles": [{"times_s": [0, 1], "shift_m": [[0, 0, 0]]}]})").find("handles[0].shift_m"),
@@ -63,6 +73,20 @@ TEST(Scene, AnObstacleStandsBackByItsGap) {
         }
         EXPECT_NEAR(nearest, 0.3, 1e-4);
         EXPECT_LT(placed.position.x, 0);  // in front of a body that moves to -x
+    }
+}
+
+TEST(Scene, OnlyTheDirectionOfAPlanesAxisCounts) {
+    const Bundle bundle = bar();
+    SceneObstacle o;
+    o.gap_m = 0.3;
+    o.axis = {-1, 0, 0};
+    const solver::Obstacle placed = place_obstacle(o, bundle, {10, 0, 0});
+    for (const double length : {1e-300, 3.0, 1e6, 1e30, 1e300}) {
+        o.axis = {-length, 0, 0};
+        const solver::Obstacle other = place_obstacle(o, bundle, {10, 0, 0});
+        EXPECT_EQ(other.axis, placed.axis) << length;
+        EXPECT_EQ(other.position, placed.position) << length;
     }
 }
 

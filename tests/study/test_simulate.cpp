@@ -135,6 +135,26 @@ TEST(Simulate, MoreThreadsMakeTheSameRun) {
     EXPECT_EQ(run_image(bundle, scene, alone), run_image(bundle, scene, simulate(bundle, scene, two)));
 }
 
+// A scene made in code may ask for more than one that is read.
+TEST(Simulate, ARunThatLeavesTheFiniteIsRefused) {
+    const Bundle bundle = little_car();
+    Scene scene = load_scene("wall");
+    scene.seconds = 0.1;
+    scene.angular_velocity_deg = {any_turning.max, 0, 0};
+    for (const double speed : {0.0, any_speed.max, 1e7, 1e17, 1e30}) {
+        scene.velocity = {0, 0, speed};
+        try {
+            for (const Frame& frame : simulate(bundle, scene).frames) {
+                for (const Vec3f p : frame.nodes) ASSERT_LT(length(p), 1e18f);
+            }
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+            EXPECT_NE(std::string(error.what()).find("steps_per_s"), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_THROW((void)simulate(bundle, scene), Error);
+}
+
 TEST(Simulate, AHandleWithoutNodesAndABadBundleAreRefused) {
     Scene scene = load_scene("twist");
     scene.handles[0].box_low = {5, 5, 5};
