@@ -2,13 +2,12 @@
 // The policy on real shells, where the shared data is there.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "core/random.h"
 #include "dirty/dirty_shell.h"
+#include "shared_data.h"
 
 namespace crumple {
 namespace {
@@ -17,10 +16,7 @@ using test::cook_text;
 using test::Cooked;
 using test::fault_of;
 
-std::filesystem::path quality_folder() {
-    const char* wanted = std::getenv("CRUMPLE_DATA");
-    return std::filesystem::path(wanted && *wanted ? wanted : CRUMPLE_DEFAULT_DATA) / "quality";
-}
+std::filesystem::path quality_folder() { return test::data_folder() / "quality"; }
 
 std::string text_of(const std::string& name) {
     std::ifstream file(quality_folder() / name);

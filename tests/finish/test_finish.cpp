@@ -28,7 +28,7 @@ TetMesh culled(const Shell& shell, const std::string& count = "auto") {
 }
 
 std::optional<Shell> shared_shell(const std::string& name) {
-    return shapes::read_obj_shell(shapes::data_folder() + "/quality/" + name + ".obj");
+    return shapes::read_obj_shell(test::data_folder() / "quality" / (name + ".obj"));
 }
 
 void expect_sound(const Shell& shell, const TetMesh& mesh) {
@@ -327,7 +327,7 @@ TEST(Finish, AThinShellIsNamedAsWhatForcesFlatTets) {
 
 TEST(Finish, SpotReachesItsGoal) {
     const auto shell = shared_shell("spot");
-    if (!shell) GTEST_SKIP() << "no shared data at " << shapes::data_folder();
+    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
     const TetMesh mesh = culled(*shell);
     const Result result = finish_mesh(*shell, mesh);
     expect_sound(*shell, result.mesh);
@@ -339,7 +339,7 @@ TEST(Finish, SpotReachesItsGoal) {
 
 TEST(Finish, BonnetReachesItsGoal) {
     const auto shell = shared_shell("bonnet");
-    if (!shell) GTEST_SKIP() << "no shared data at " << shapes::data_folder();
+    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
     const Result result = finish_mesh(*shell, culled(*shell));
     expect_sound(*shell, result.mesh);
     EXPECT_EQ(result.report.after.below_10_deg, 0u);
@@ -350,7 +350,7 @@ TEST(Finish, BonnetReachesItsGoal) {
 TEST(Finish, DirtyShellsGetAManifoldSurface) {
     for (const char* name : {"cow", "suzanne"}) {
         const auto shell = shared_shell(name);
-        if (!shell) GTEST_SKIP() << "no shared data at " << shapes::data_folder();
+        if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
         const TetMesh mesh = culled(*shell);
         const Result result = finish_mesh(*shell, mesh);
         expect_sound(*shell, result.mesh);

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -15,6 +14,8 @@
 #include "core/random.h"
 #include "geometry/measures.h"
 #include "mesh/shapes.h"
+#include "shared_data.h"
+#include "shared_data.h"
 
 namespace crumple {
 namespace {
@@ -94,8 +95,7 @@ TEST(SelfIntersection, FlatAndFoldedShapesOnAGridGiveThePairsOfCgal) {
 
 // Positions and triangles of a plain OBJ file of the shared data; empty when it is not there.
 Shell obj_of(const std::string& name) {
-    const char* given = std::getenv("CRUMPLE_DATA");
-    std::ifstream file((given ? std::string(given) : CRUMPLE_DEFAULT_DATA) + "/" + name);
+    std::ifstream file(test::data_folder() / name);
     Shell shell;
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line);

@@ -2,7 +2,6 @@
 // What the import tests ask of a result.
 #pragma once
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "core/error.h"
 #include "importer/import.h"
+#include "shared_data.h"
 
 namespace crumple::test {
 
@@ -59,16 +59,6 @@ inline Refusal refusal_of_file(const std::string& path, const importer::Params& 
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-// The shared data, or nothing: the test skips.
-inline std::filesystem::path data_folder() {
-    const char* wanted = std::getenv("CRUMPLE_DATA");
-    return wanted && *wanted ? wanted : CRUMPLE_DEFAULT_DATA;
-}
-
-#define CRUMPLE_NEEDS_DATA()                                                \
-    if (!std::filesystem::exists(::crumple::test::data_folder() / "locks")) \
-    GTEST_SKIP() << "no shared data at " << ::crumple::test::data_folder() << " (set CRUMPLE_DATA)"
 
 inline bool lexicographic(const Vec3& a, const Vec3& b) { return lexicographic_less(a, b); }
 

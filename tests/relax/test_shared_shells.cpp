@@ -14,8 +14,8 @@ namespace {
 class Spot20 : public testing::TestWithParam<Method> {};
 
 TEST_P(Spot20, FromUniformPointsTheStudysFiguresAreReached) {
-    const auto shell = shapes::read_obj_shell(shapes::data_folder() + "/quality/spot.obj");
-    if (!shell) GTEST_SKIP() << "no shared data at " << shapes::data_folder();
+    const auto shell = shapes::read_obj_shell(test::data_folder() / "quality/spot.obj");
+    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
     Params params;
     params.method = GetParam();
     const Report report = relax_points(shapes::filled(*shell), *shell, params).report;

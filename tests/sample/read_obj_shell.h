@@ -2,7 +2,6 @@
 // The few lines of OBJ that the shared shells use, read without the importer: one component for each connected part; a
 // part wound inwards is a cavity.
 #pragma once
-#include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <optional>
@@ -12,14 +11,9 @@
 
 #include "geometry/measures.h"
 #include "mesh/shell.h"
+#include "shared_data.h"
 
 namespace crumple::shapes {
-
-// Where the shared input data is; tests that need it skip where it is absent.
-inline std::string data_folder() {
-    const char* folder = std::getenv("CRUMPLE_DATA");
-    return folder ? folder : CRUMPLE_DATA_DEFAULT;
-}
 
 inline void split_into_components(Shell& shell) {
     std::vector<Index> root(shell.positions.size());
@@ -51,7 +45,7 @@ inline void split_into_components(Shell& shell) {
     }
 }
 
-inline std::optional<Shell> read_obj_shell(const std::string& path) {
+inline std::optional<Shell> read_obj_shell(const std::filesystem::path& path) {
     std::ifstream file(path);
     if (!file) return std::nullopt;
     Shell shell;

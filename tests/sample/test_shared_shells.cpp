@@ -21,8 +21,8 @@ struct Expected {
 class SharedShell : public testing::TestWithParam<Expected> {};
 
 TEST_P(SharedShell, HasTheAutomaticCountOfTheStudyAndAllPointsInside) {
-    const auto shell = shapes::read_obj_shell(shapes::data_folder() + "/quality/" + GetParam().file);
-    if (!shell) GTEST_SKIP() << "no shared data at " << shapes::data_folder();
+    const auto shell = shapes::read_obj_shell(test::data_folder() / "quality" / GetParam().file);
+    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
     const Result result = sample_interior(*shell);
     EXPECT_NEAR(static_cast<double>(result.report.automatic_count), GetParam().count, GetParam().tolerance);
     EXPECT_EQ(result.report.points, result.report.automatic_count);
