@@ -14,7 +14,7 @@ using test::find;
 using test::has;
 using test::import_shell;
 
-std::string fixture(const std::string& name) { return std::string(CRUMPLE_FIXTURES) + "/" + name; }
+std::string fixture(const std::string& name) { return CRUMPLE_FIXTURES "/" + name; }
 
 std::vector<double> numbers_of(const std::string& text, const std::string& key, const std::string& end) {
     const std::size_t begin = text.find('[', text.find('"' + key + '"'));
