@@ -147,7 +147,9 @@ class DryRun(program.Case):
     def test_it_judges_what_it_can_without_reading_all(self):
         cases = [("a.blend", b"x", "not read"), ("a.stl", b"", "empty"), ("a.obj", b"v 0 0 0\n", "no faces"),
                  ("a.off", b"OFF\n9 9 0\n", "more than the file can hold"), ("a.glb", b"glTF", "ends within its header"),
-                 ("a.ply", b"ply\n", "end_header")]
+                 ("a.ply", b"ply\n", "end_header"), ("a.dae", b"<COLLADA>\n<asset>", "damaged or cut short"),
+                 ("a.fbx", b"Objects: {\n", "the file ends within 'Objects'"),
+                 ("a.x", b"xof 0303txt 0032\nMesh {\n4;", "a number is missing")]
         for name, content, words in cases:
             path = self.path(name)
             path.write_bytes(content)
