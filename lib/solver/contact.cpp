@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace crumple::solver {
 namespace {
@@ -28,11 +29,7 @@ SurfacePoint capsule_surface(const Obstacle& o, Vec3 point) {
     return from_centre(from - o.axis * along, o.radius, aside);
 }
 
-SurfacePoint box_surface(const Obstacle& o, Vec3 point) {
-    CarrierMotion pose;
-    pose.position = o.position;
-    pose.orientation = o.orientation;
-    const Frame frame(pose);
+SurfacePoint box_surface(const Obstacle& o, const Frame& frame, Vec3 point) {
     const Vec3 p = widen(frame.point(point));
     Vec3 clamped;
     double depth = 1e300;
@@ -51,6 +48,32 @@ SurfacePoint box_surface(const Obstacle& o, Vec3 point) {
     const SurfacePoint local = depth > 0 ? inside : from_centre(p - clamped, o.radius, side);
     return {local.distance, frame.to_world(local.normal)};
 }
+
+// An obstacle, with what is the same for all points worked out.
+class Surface {
+public:
+    explicit Surface(const Obstacle& o) : obstacle_(o) {
+        if (o.shape == ObstacleShape::plane) normal_ = direction_of(o.axis);
+        if (o.shape != ObstacleShape::box) return;
+        pose_.position = o.position;
+        pose_.orientation = o.orientation;
+        frame_.emplace(pose_);
+    }
+    Surface(const Surface&) = delete;
+    Surface& operator=(const Surface&) = delete;
+
+    [[nodiscard]] SurfacePoint nearest(Vec3 point) const {
+        if (obstacle_.shape == ObstacleShape::capsule) return capsule_surface(obstacle_, point);
+        if (frame_) return box_surface(obstacle_, *frame_, point);
+        return {dot(point - obstacle_.position, normal_) - obstacle_.radius, normal_};
+    }
+
+private:
+    const Obstacle& obstacle_;
+    CarrierMotion pose_;
+    std::optional<Frame> frame_;  // of a box, at pose_
+    Vec3 normal_;                 // of a plane
+};
 
 // The velocity along the normal that the node leaves with, relative to the surface; false when it does not touch.
 // `gains` is what the approach will gain in this step.
@@ -126,16 +149,19 @@ struct Contacts {
         }
         return deepest < 1e300;
     }
-    // How far the node may be wrong about where it is and still touch nothing in this step.
-    [[nodiscard]] float clearance_of(Vec3f x, Vec3f velocity) const {
-        const Vec3 place = frame.point_to_world(x);
-        float least = 3e38f;
+    // How far each node may be wrong about where it is and still touch nothing in this step.
+    void find_clearances(const State& state) const {
+        std::fill(clearance.begin(), clearance.end(), 3e38f);
         for (const Obstacle& o : obstacles) {
-            const Vec3 of_surface = o.velocity + cross(o.angular_velocity, place - o.position);
-            const float way = length(velocity - frame.velocity(place, of_surface)) * dt;
-            least = std::min(least, static_cast<float>(nearest_surface(o, place).distance) - way);
+            const Surface surface(o);
+            for (std::size_t node = 0; node < clearance.size(); ++node) {
+                const Vec3 place = frame.point_to_world(position(state, node));
+                const Vec3 of_surface = o.velocity + cross(o.angular_velocity, place - o.position);
+                const float way = length(velocity(state, node) - frame.velocity(place, of_surface)) * dt;
+                const float distance = static_cast<float>(surface.nearest(place).distance);
+                clearance[node] = std::min(clearance[node], distance - way);
+            }
         }
-        return least;
     }
     void hold(Index node, Constraint contact) {
         contact.node = node;
@@ -182,21 +208,16 @@ void hold_face(Contacts& contacts, const State& state, const Tet& tet, std::size
 
 }
 
-SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) {
-    if (o.shape == ObstacleShape::capsule) return capsule_surface(o, point);
-    if (o.shape == ObstacleShape::box) return box_surface(o, point);
-    const Vec3 normal = direction_of(o.axis);
-    return {dot(point - o.position, normal) - o.radius, normal};
-}
+SurfacePoint nearest_surface(const Obstacle& o, Vec3 point) { return Surface(o).nearest(point); }
 
 ContactCounts find_contacts(const Model& model, const State& state, const Frame& frame,
                             std::span<const Obstacle> obstacles, Vec3f pull, float dt, std::span<std::uint8_t> is_taken,
                             std::span<float> clearance, std::span<Constraint> room) {
     Contacts contacts{model, frame, obstacles, dt, is_taken, clearance, room, {}};
     if (obstacles.empty()) return contacts.counts;
+    contacts.find_clearances(state);
     const float falls = 1.01f * length(pull) * dt * dt;
     for (Index node = 0; node < model.node_count; ++node) {
-        clearance[node] = contacts.clearance_of(position(state, node), velocity(state, node));
         if (clearance[node] > falls || model.bundle.locked[node] || is_taken[node]) continue;
         Constraint contact;
         if (contacts.touches(position(state, node), velocity(state, node), pull * dt, contact))
