@@ -21,6 +21,7 @@ PACKAGES = {
     r"hdf5|H5": {"store"},
     r"openssl/": {"store"},
     r"nlohmann/": {"pipeline", "report", "importer"},  # importer: glTF is JSON
+    r"pugixml": {"importer"},  # COLLADA is XML; assimp reads it with the same
     r"zlib": {"importer"},  # FBX compresses arrays
     r"valijson/": set(),
     r"CLI/": {"cli"},

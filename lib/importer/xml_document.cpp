@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <pugixml.hpp>
+
 #include "core/error.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -12,163 +14,96 @@ namespace crumple::importer::xml {
 namespace {
 
 // Readers of the tree call themselves for each level.
-constexpr std::size_t deepest = 2000;
+constexpr int deepest = 2000;
+
+// Nothing that would change or move what it reads: places in pugixml's copy are places in the text.
+constexpr unsigned as_written = pugi::parse_cdata;
+
+[[noreturn]] void refuse(std::size_t line, const std::string& what) {
+    throw Error(ErrorKind::bad_input, "line " + std::to_string(line) + ": " + what + ": export the file again");
+}
+
+std::size_t lines_in(std::string_view text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 bool is_blank(std::string_view text) { return std::all_of(text.begin(), text.end(), is_space); }
 
-bool ends_name(char c) { return is_space(c) || c == '/' || c == '>' || c == '=' || c == '<'; }
-
-// Extensible Markup Language 1.0, as far as it says where elements begin and end.
-class Parser {
+// Takes pugixml's tree over as views into the text.
+class Takeover : public pugi::xml_tree_walker {
 public:
-    explicit Parser(std::string_view text) : text_(text) {}
+    explicit Takeover(std::string_view text) : text_(text) {}
 
-    Document parse() {
-        while (at_ < text_.size()) {
-            const std::size_t mark = std::min(text_.find('<', at_), text_.size());
-            add_text(take(mark - at_));
-            if (at_ < text_.size()) read_markup();
-        }
-        if (!open_.empty()) refuse("the file ends within " + tag(document_[open_.back()]));
-        if (document_.empty()) refuse("it has no XML element");
-        return std::move(document_);
-    }
-
-private:
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw Error(ErrorKind::bad_input, "line " + std::to_string(line_) + ": " + what +
-                                              "; the XML is damaged or cut short: export the file again");
-    }
-
-    std::string_view take(std::size_t size) {
-        const std::string_view taken = text_.substr(at_, size);
-        at_ += taken.size();
-        line_ += static_cast<std::size_t>(std::count(taken.begin(), taken.end(), '\n'));
-        return taken;
-    }
-
-    // What stands before the end mark, which is passed.
-    std::string_view take_until(std::string_view end, const char* what) {
-        const std::size_t found = text_.find(end, at_);
-        if (found == std::string_view::npos) refuse(std::string("the file ends within ") + what);
-        const std::string_view taken = take(found - at_);
-        (void)take(end.size());
-        return taken;
-    }
-
-    bool passes(std::string_view mark) {
-        if (!text_.substr(at_).starts_with(mark)) return false;
-        (void)take(mark.size());
+    bool for_each(pugi::xml_node& node) override {
+        if (node.type() == pugi::node_element) add_element(node);
+        if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) add_text(view(node.value()));
         return true;
     }
 
-    void skip_space() {
-        while (at_ < text_.size() && is_space(text_[at_])) (void)take(1);
+    Document document;
+
+private:
+    [[nodiscard]] std::string_view view(const char* text) const {
+        return text_.substr(static_cast<std::size_t>(text - copy_), std::string_view(text).size());
     }
 
-    void add_text(std::string_view piece) {
-        if (open_.empty() || !document_[open_.back()].text.empty() || is_blank(piece)) return;
-        document_[open_.back()].text = piece;
-    }
-
-    void read_markup() {
-        if (passes("<!--")) {
-            (void)take_until("-->", "a comment");
-        } else if (passes("<![CDATA[")) {
-            add_text(take_until("]]>", "a CDATA section"));
-        } else if (passes("<?")) {
-            (void)take_until("?>", "a processing instruction");
-        } else if (passes("<!")) {
-            skip_declaration();
-        } else if (passes("</")) {
-            close(take_until(">", "a closing tag"));
-        } else {
-            (void)take(1);
-            open();
-        }
-    }
-
-    // <!DOCTYPE ...>, whose own declarations stand in brackets.
-    void skip_declaration() {
-        int depth = 0;
-        for (;;) {
-            if (at_ >= text_.size()) refuse("the file ends within a declaration");
-            const char c = take(1)[0];
-            if (c == '"' || c == '\'') (void)take_until(std::string_view(&c, 1), "a declaration");
-            if (c == '[') ++depth;
-            if (c == ']') --depth;
-            if (c == '>' && depth <= 0) return;
-        }
-    }
-
-    std::string_view take_name() {
-        std::size_t size = 0;
-        while (at_ + size < text_.size() && !ends_name(text_[at_ + size])) ++size;
-        if (size == 0) refuse("a name is missing");
-        return take(size);
-    }
-
-    void open() {
-        Element element;
-        element.line = line_;
-        element.name = take_name();
-        bool is_empty = false;
-        for (skip_space(); !passes(">"); skip_space()) {
-            is_empty = passes("/>");
-            if (is_empty) break;
-            element.attributes.push_back(take_attribute());
-        }
-        if (open_.empty() && !document_.empty()) refuse("a second root, " + tag(element));
-        const auto index = static_cast<Index>(document_.size());
-        document_.push_back(std::move(element));
-        last_child_.push_back(none);
-        if (!open_.empty()) attach(index, open_.back());
-        if (is_empty) return;
+    void add_element(const pugi::xml_node& node) {
+        if (copy_ == nullptr) copy_ = node.name() - node.offset_debug();
+        const auto index = static_cast<Index>(document.size());
+        const auto level = static_cast<std::size_t>(depth());
+        Element& element = document.emplace_back();
+        element.name = view(node.name());
+        element.line = line_at(element.name.data());
+        for (const pugi::xml_attribute& attribute : node.attributes())
+            element.attributes.push_back({view(attribute.name()), view(attribute.value())});
+        if (level == 0 && index > 0) refuse(element.line, "a second root, " + tag(element));
+        if (depth() > deepest)
+            refuse(element.line, "elements are nested more than " + std::to_string(deepest) + " deep");
+        open_.resize(level);
+        if (level > 0) attach(index, open_.back());
         open_.push_back(index);
-        if (open_.size() > deepest) refuse("elements are nested more than " + std::to_string(deepest) + " deep");
+        last_child_.push_back(none);
     }
 
     void attach(Index child, Index parent) {
         Index& last = last_child_[parent];
-        (last == none ? document_[parent].first_child : document_[last].next_sibling) = child;
+        (last == none ? document[parent].first_child : document[last].next_sibling) = child;
         last = child;
     }
 
-    Attribute take_attribute() {
-        Attribute attribute;
-        attribute.name = take_name();
-        skip_space();
-        if (!passes("=")) refuse("the attribute " + in_quotes(attribute.name) + " has no value");
-        skip_space();
-        const char quote = at_ < text_.size() ? take(1)[0] : ' ';
-        if (quote != '"' && quote != '\'')
-            refuse("the value of the attribute " + in_quotes(attribute.name) + " is not in quotes");
-        attribute.value = take_until(std::string_view(&quote, 1), "the value of an attribute");
-        return attribute;
+    void add_text(std::string_view piece) {
+        std::string_view& text = document[open_[static_cast<std::size_t>(depth()) - 1]].text;
+        if (text.empty() && !is_blank(piece)) text = piece;
     }
 
-    void close(std::string_view name) {
-        while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
-        if (open_.empty() || document_[open_.back()].name != name) {
-            refuse("</" + printable(name) + "> closes " +
-                   (open_.empty()
-                        ? "nothing"
-                        : tag(document_[open_.back()]) + " of line " + std::to_string(document_[open_.back()].line)));
-        }
-        open_.pop_back();
+    // Elements come in the order of the text.
+    std::size_t line_at(const char* place) {
+        const auto at = static_cast<std::size_t>(place - text_.data());
+        line_ += lines_in(text_.substr(counted_, at - counted_));
+        counted_ = at;
+        return line_;
     }
 
     std::string_view text_;
-    std::size_t at_ = 0;
-    std::size_t line_ = 1;
-    Document document_;
+    const char* copy_ = nullptr;  // the text as pugixml holds it
+    std::vector<Index> open_;     // of each level, the newest
     std::vector<Index> last_child_;
-    std::vector<Index> open_;
+    std::size_t counted_ = 0;  // so far lines were counted
+    std::size_t line_ = 1;
 };
 
 }
 
-Document parse(std::string_view text) { return Parser(text).parse(); }
+Document parse(std::string_view text) {
+    pugi::xml_document tree;
+    const pugi::xml_parse_result result = tree.load_buffer(text.data(), text.size(), as_written, pugi::encoding_utf8);
+    if (!result)
+        refuse(1 + lines_in(text.substr(0, static_cast<std::size_t>(result.offset))),
+               std::string("the XML is damaged or cut short: ") + result.description());
+    Takeover takeover(text);
+    (void)tree.traverse(takeover);
+    return std::move(takeover.document);
+}
 
 std::optional<std::string_view> attribute(const Element& element, std::string_view name) {
     for (const Attribute& attribute : element.attributes) {

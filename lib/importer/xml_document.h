@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elements of an XML file, for a look at it before assimp reads it. Views into the file's text; nothing is copied,
-// and entities stand as they are written.
+// The elements of an XML file, for a look at it before assimp reads it; by pugixml, as assimp does. Views into the file's
+// text; entities stand as they are written.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -57,15 +57,13 @@ TEST(PrescanDae, AGoodFileIsReadWithItsLock) {
 
 TEST(PrescanDae, WhatIsNoXmlIsRefusedWithItsLine) {
     for (const char* text : {"", "hello", "<!-- only -->", "<?xml?>"}) EXPECT_NE(message(text), "") << text;
-    EXPECT_TRUE(contains(message("<a>\n<b></a>"), "line 2: </a> closes <b> of line 2"));
-    EXPECT_TRUE(contains(message("<a>\n<b>\n"), "line 3: the file ends within <b>"));
-    EXPECT_TRUE(contains(message("<a/>\n<b/>"), "a second root"));
-    EXPECT_TRUE(contains(message("<a b></a>"), "'b' has no value"));
-    EXPECT_TRUE(contains(message("<a b=c></a>"), "not in quotes"));
-    EXPECT_TRUE(contains(message("<a b=\"c></a>"), "within the value"));
-    EXPECT_TRUE(contains(message("<a><!-- <</a>"), "within a comment"));
+    for (const char* text : {"<a>\n<b></a>", "<a>\n<b>", "<a\nb></a>", "<a\nb=c></a>", "<a\nb=\"c></a>", "<a>\n<!-- <</a>"})
+        EXPECT_TRUE(contains(message(text), "line 2: the XML is damaged")) << message(text);
+    EXPECT_TRUE(contains(message("<a/>\n<b/>"), "line 2: a second root"));
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<a>";
+    EXPECT_TRUE(contains(message(deep), "cut short"));
+    for (int i = 0; i < 100'000; ++i) deep += "</a>";
     EXPECT_TRUE(contains(message(deep), "deep"));
     EXPECT_EQ(message("<!DOCTYPE a [<!ENTITY b \"]>\">]><a c='>'><![CDATA[<x>]]><?d >?></a >"), "");
 }
