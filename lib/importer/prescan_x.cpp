@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -69,34 +70,53 @@ public:
     Reader(std::string_view text, Purpose purpose) : words_(text), purpose_(purpose) {}
 
     void read() {
-        std::vector<std::size_t> open;  // lines
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
-            if (word == "{") open.push_back(words_.line());
-            if (word == "}") {
-                if (open.empty()) words_.refuse("a brace closes nothing");
-                open.pop_back();
+            if (word == "{") {
+                open();
+            } else if (word == "}") {
+                close();
+            } else {
+                note(word);
             }
-            if (word == "template") skip_template();
-            const bool has_numbers = word == "Mesh" || (word == "MeshVertexColors" && purpose_ == Purpose::shell);
-            if (!has_numbers || !enter()) continue;
-            open.push_back(words_.line());
-            word == "Mesh" ? read_mesh() : read_colors();
         }
-        if (!open.empty()) words_.refuse("the file ends within what begins in line " + std::to_string(open.back()));
+        if (!open_lines_.empty())
+            words_.refuse("the file ends within what begins in line " + std::to_string(open_lines_.back()));
     }
 
 private:
+    // An object is "Type {" or "Type name {", and a name may be a word that is a type elsewhere.
+    void note(std::string_view word) {
+        const bool is_number = word[0] == '-' || word[0] == '+' || word[0] == '.' || (word[0] >= '0' && word[0] <= '9');
+        if (is_number)
+            type_ = name_ = {};
+        else if (type_.empty())
+            type_ = word;
+        else if (name_.empty())
+            name_ = word;
+        else
+            type_ = std::exchange(name_, word);
+    }
+
+    void open() {
+        open_lines_.push_back(words_.line());
+        const std::string_view type = type_;
+        type_ = name_ = {};
+        if (type == "template") skip_template();
+        if (type == "Mesh") read_mesh();
+        if (type == "MeshVertexColors" && purpose_ == Purpose::shell) read_colors();
+    }
+
+    void close() {
+        if (open_lines_.empty()) words_.refuse("a brace closes nothing");
+        open_lines_.pop_back();
+        type_ = name_ = {};
+    }
+
     void skip_template() {
         for (std::string_view word = words_.next(); word != "}"; word = words_.next()) {
             if (word.empty()) words_.refuse("the file ends within a template");
         }
-    }
-
-    // Past the name that an object may have and its brace.
-    bool enter() {
-        std::string_view word = words_.next();
-        if (word != "{") word = words_.next();
-        return word == "{";
+        close();
     }
 
     Index next_index(const char* what) {
@@ -150,7 +170,10 @@ private:
 
     Words words_;
     Purpose purpose_;
-    Index vertex_count_ = 0;
+    std::vector<std::size_t> open_lines_;
+    std::string_view type_;  // the words since the last brace or number, two at most
+    std::string_view name_;
+    Index vertex_count_ = 0;  // of the mesh read last
 };
 
 }

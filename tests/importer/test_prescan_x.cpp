@@ -73,6 +73,20 @@ TEST(PrescanX, MeshesHoldWhatTheyAnnounce) {
     EXPECT_TRUE(contains(message(t), "a brace closes nothing"));
 }
 
+TEST(PrescanX, NamesMayBeTypesElsewhere) {
+    const std::string header = "xof 0303txt 0032\n";
+    const std::string mesh = text_of({}).substr(text_of({}).find("Mesh \"a{\""));
+    const auto message_of = [&](const std::string& body) {
+        return bad_input_of([&] { (void)prescan_x(header + body, Purpose::shell); });
+    };
+    EXPECT_EQ(message_of("Frame Mesh {\nFrame MeshVertexColors { }\n{ Mesh }\n" + mesh + "}\n"), "");
+    std::string damaged = mesh;
+    damaged.replace(damaged.find("0,2,1"), 5, "0,2,4");
+    EXPECT_TRUE(contains(message_of("Frame Mesh {\n" + damaged + "}\n"), "a face names vertex 4 of 4"));
+    EXPECT_TRUE(contains(message_of("Frame a { Mesh Frame {\n1;\n}\n}\n"), "a number is missing"));
+    EXPECT_EQ(message_of("Frame a { SomeData { 1; Mesh; }\n}\n"), "");
+}
+
 TEST(PrescanX, CutShortAnywhereIsRefused) {
     const std::string whole = text_of({});
     for (std::size_t size = whole.find("Mesh \"a{\"") + 12; size + 3 < whole.size(); size += 5)
