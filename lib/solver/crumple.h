@@ -143,7 +143,8 @@ crumple_status crumple_set_velocity(crumple_instance* instance, uint32_t node, c
 
 /* The state as bytes: equal bytes are equal states. Restore takes what save gave for the same blob and plasticity.
  * Other bytes are refused with CRUMPLE_BAD_ARGUMENT by their checksum, and the body stays as it was; bytes forged
- * to have the right one never harm a step, but may leave the body as after crumple_instance_create. */
+ * to have the right one never harm a step, but may leave the body as after crumple_instance_create. What sensors
+ * remember, triggers among it, is not part of the state. */
 size_t crumple_state_size(const crumple_instance* instance);
 crumple_status crumple_save(const crumple_instance* instance, void* bytes, size_t size);
 crumple_status crumple_restore(crumple_instance* instance, const void* bytes, size_t size);
@@ -202,8 +203,8 @@ typedef struct crumple_carrier {
  *   not in 0 to 1;
  * - the carrier's or a box's orientation is 0, or a plane's axis is (it may have any other length);
  * - a sleep setting is not a number (infinite ones mean never or always).
- * Not used, so not looked at: accelerations without has_inertia, the mass of a carrier that is not free, the axis and
- * orientation of shapes without; by a sleeping body also dt, wind, forces and constraints.
+ * Not used, so not looked at: accelerations without has_inertia, the mass of a carrier that is not free, an orientation
+ * where the shape has none; by a sleeping body also dt, wind, forces and constraints.
  * A single constraint that is bad is left out, with CRUMPLE_BAD_CONSTRAINT. */
 typedef struct crumple_input {
     float dt;
