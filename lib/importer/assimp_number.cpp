@@ -4,10 +4,15 @@
 #include <assimp/fast_atof.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace crumple::importer {
 
 namespace {
+
+// assimp multiplies by powf(10, exponent) in float: a few ulp off, never more than this.
+constexpr float assimp_error = 1e-5f;
 
 // What the parser throws; assimp's own exception type is not exported from the library.
 struct NoNumber {
@@ -26,6 +31,21 @@ std::optional<float> as_assimp_reads(std::string_view word) {
     } catch (const NoNumber&) {
         return std::nullopt;
     }
+}
+
+bool is_same_number(float exact, float read) {
+    // Below the least normal float assimp's digits are few.
+    const float least = std::numeric_limits<float>::min();
+    return exact == read || std::fabs(exact - read) <= assimp_error * std::fmax(std::fabs(exact), least / assimp_error);
+}
+
+bool is_misread(std::string_view word, double value) {
+    const auto read = as_assimp_reads(word);
+    if (!read) return false;
+    if (std::isnan(value)) return !std::isnan(*read);
+    constexpr double most = std::numeric_limits<float>::max();
+    const auto infinity = std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(value > 0 ? 1 : -1));
+    return !is_same_number(std::fabs(value) > most ? infinity : static_cast<float>(value), *read);
 }
 
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "importer/assimp_number.h"
 #include "importer/printable.h"
 #include "importer/text.h"
 
@@ -55,6 +56,9 @@ std::vector<double> reals(const xml::Element& element) {
         if (!to_real(word, values.emplace_back()))
             refuse(element, "holds " + in_quotes(word) + " as number " + std::to_string(values.size()) +
                                 ", which is not a number");
+        if (is_misread(word, values.back()))
+            refuse(element, "holds " + in_quotes(word) + " as number " + std::to_string(values.size()) +
+                                ", of which the reader makes something else");
     }
     return values;
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "importer/assimp_number.h"
 #include "importer/fbx_values.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -245,9 +246,12 @@ double number_of_word(const Document& document, const Node& node, std::string_vi
     double value = 0;
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc::invalid_argument && end == digits.data() + digits.size()) return value;
-    refuse(document, node,
-           "holds " + in_quotes(word) + " as number " + std::to_string(position) + ", which is not a number");
+    const std::string held = "holds " + in_quotes(word) + " as number " + std::to_string(position);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
+        refuse(document, node, held + ", which is not a number");
+    if (error == std::errc() && is_misread(word, value))
+        refuse(document, node, held + ", of which the reader makes something else");
+    return value;
 }
 
 std::vector<double> array_of_text(const Document& document, const Node& node) {

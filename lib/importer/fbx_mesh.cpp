@@ -76,7 +76,7 @@ private:
     // How many colours or, where they are chosen by index, how many choices; 0: the layer is empty.
     [[nodiscard]] std::uint64_t check_entries(Index layer) const {
         const Index colors = find_child(document_, layer, "Colors");
-        if (colors == none) return 0;
+        if (colors == none) refuse(document_, document_.nodes[layer], "holds no Colors");
         const std::uint64_t color_count = count_elements(document_, document_.nodes[colors], 4);
         const Index choices = find_child(document_, layer, "ColorIndex");
         const std::string reference = word(layer, "ReferenceInformationType");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "importer/assimp_number.h"
 #include "importer/prescan.h"
 #include "importer/printable.h"
 #include "importer/text.h"
@@ -131,6 +132,10 @@ private:
         for (std::uint64_t i = 0; i < count; ++i) {
             const std::string_view word = words_.next();
             if (word.empty() || word == "{" || word == "}") words_.refuse("a number is missing");
+            // "-1.#IND" and its like, of which assimp makes 0: a lock.
+            const auto value = to_number<double>(word);
+            if (!value) words_.refuse(in_quotes(word) + " stands where a number should");
+            if (is_misread(word, *value)) words_.refuse("the reader makes something else of " + in_quotes(word));
         }
     }
 

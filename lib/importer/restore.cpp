@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <unordered_map>
 
 #include "core/error.h"
+#include "importer/assimp_number.h"
 #include "importer/paint.h"
 
 namespace crumple::importer {
 
 namespace {
-
-// assimp multiplies by powf(10, exponent) in float: a few ulp off, never more than this.
-constexpr float assimp_error = 1e-5f;
 
 // Relative errors of a transform in floats: of a number that was only rounded, and of a rotation times a scale.
 constexpr double copy_error = 0x1p-23;
@@ -65,12 +62,6 @@ void restore_vertex_list(Prescan scan, Scene& scene) {
     }
     scene.file_positions = std::move(scan.positions);
     scene.file_reds = std::move(scan.reds);
-}
-
-bool is_same_number(float exact, float read) {
-    // Below the least normal float assimp's digits are few.
-    const float least = std::numeric_limits<float>::min();
-    return exact == read || std::fabs(exact - read) <= assimp_error * std::fmax(std::fabs(exact), least / assimp_error);
 }
 
 // The first vertex of which assimp delivered something else, or the number of vertices.

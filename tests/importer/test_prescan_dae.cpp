@@ -57,7 +57,8 @@ TEST(PrescanDae, AGoodFileIsReadWithItsLock) {
 
 TEST(PrescanDae, WhatIsNoXmlIsRefusedWithItsLine) {
     for (const char* text : {"", "hello", "<!-- only -->", "<?xml?>"}) EXPECT_NE(message(text), "") << text;
-    for (const char* text : {"<a>\n<b></a>", "<a>\n<b>", "<a\nb></a>", "<a\nb=c></a>", "<a\nb=\"c></a>", "<a>\n<!-- <</a>"})
+    for (const char* text :
+         {"<a>\n<b></a>", "<a>\n<b>", "<a\nb></a>", "<a\nb=c></a>", "<a\nb=\"c></a>", "<a>\n<!-- <</a>"})
         EXPECT_TRUE(contains(message(text), "line 2: the XML is damaged")) << message(text);
     EXPECT_TRUE(contains(message("<a/>\n<b/>"), "line 2: a second root"));
     std::string deep;
@@ -80,6 +81,8 @@ TEST(PrescanDae, ArraysHoldWhatTheyAnnounce) {
     EXPECT_TRUE(contains(change("<float_array id=\"ca\" count=\"16\">x 1"), "holds 'x' as number 1"));
     EXPECT_TRUE(contains(change("<float_array id=\"ca\" count=\"16\">&a; 1"), "holds '&a;'"));
     EXPECT_EQ(change("<float_array id=\"ca\" count=\"16\">nan 1,5"), "");
+    EXPECT_EQ(change("<float_array id=\"ca\" count=\"16\">-1e-50 +1.00000000000000000000001e3"), "");
+    EXPECT_TRUE(contains(change("<float_array id=\"ca\" count=\"16\">99999999999999999999 1"), "makes something else"));
     EXPECT_EQ(message(tetrahedron({array, "<float_array id=\"ca\" count=\"16\">1"}), Purpose::visual), "");
 }
 

@@ -129,6 +129,7 @@ TEST(PrescanFbx, ColoursAreAsManyAsTheyMustBe) {
     for (const auto& [colors, words] :
          {std::pair{"*16 {\n a: 1,1,1,1\n}", "announces 16 numbers and holds 4"},
           std::pair{"*4 {\n a: 1,x,1,1\n}", "Colors holds 'x' as number 2"},
+          std::pair{"*4 {\n a: 99999999999999999999,1,1,1\n}", "of which the reader makes something else"},
           std::pair{"*5 {\n a: 1,1,1,1,1\n}", "no multiple of 4"}, std::pair{"*y {\n a: 1\n}", "announces '*y'"}}) {
         t.colors = colors;
         EXPECT_TRUE(contains(message(t), words)) << colors;

@@ -55,6 +55,8 @@ TEST(PrescanX, EachVertexHasOneColour) {
     EXPECT_TRUE(contains(colors("4000000000;\n0;1;1;1;1;;\n"), "announces 4000000000 colours for 4 vertices"));
     EXPECT_TRUE(contains(colors("4;\n0;1;1;1;1;;\n"), "'}' stands where"));
     EXPECT_TRUE(contains(colors("4;\n0;1;1;\n"), "a number is missing"));
+    EXPECT_TRUE(contains(colors("4;\n0;-1.#IND00;1;1;1;;\n"), "'-1.#IND00' stands where a number"));
+    EXPECT_TRUE(contains(colors("4;\n0;99999999999999999999;1;1;1;;\n"), "makes something else of '9999"));
 }
 
 TEST(PrescanX, MeshesHoldWhatTheyAnnounce) {
