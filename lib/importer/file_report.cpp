@@ -7,8 +7,8 @@
 
 namespace crumple::importer {
 
-FileReport report_file(const std::string& name, const Format& format, const Placement& placement, const Scene& scene,
-                       const Surface& surface) {
+FileReport report_file(const std::string& name, const formats::Format& format, const Placement& placement,
+                       const Scene& scene, const Surface& surface) {
     FileReport report;
     report.name = name;
     report.format = format.name;
@@ -107,7 +107,7 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
     return findings;
 }
 
-std::vector<Finding> judge_other_paint(const Unread& unread, std::size_t color_set_count) {
+std::vector<Finding> judge_other_paint(const formats::Unread& unread, std::size_t color_set_count) {
     std::vector<Finding> findings;
     if (color_set_count > 0) return findings;
     if (unread.colored_faces > 0) {

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "core/finding.h"
-#include "importer/format.h"
+#include "formats/format.h"
 #include "importer/import.h"
 #include "importer/scene.h"
 #include "importer/surface.h"
 
 namespace crumple::importer {
 
-[[nodiscard]] FileReport report_file(const std::string& name, const Format& format, const Placement& placement,
+[[nodiscard]] FileReport report_file(const std::string& name, const formats::Format& format, const Placement& placement,
                                      const Scene& scene, const Surface& surface);
 
 // Faces the reader did not deliver, points and lines dropped, parts of the file that are not read.
 [[nodiscard]] std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report);
 
 // Colours that are not a vertex's, where the file paints no vertex.
-[[nodiscard]] std::vector<Finding> judge_other_paint(const Unread& unread, std::size_t color_set_count);
+[[nodiscard]] std::vector<Finding> judge_other_paint(const formats::Unread& unread, std::size_t color_set_count);
 
 // Programs known to write other colours than those painted.
 [[nodiscard]] std::vector<Finding> judge_generator(const Scene& scene, std::size_t color_set_count);

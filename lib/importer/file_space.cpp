@@ -74,10 +74,10 @@ void read_dae_space(Scene& scene) {
 
 }
 
-void read_file_space(const aiScene& from, FormatId format, Scene& scene) {
-    if (format == FormatId::fbx) read_fbx_space(from, scene);
-    if (format == FormatId::dae) read_dae_space(scene);
-    if (format == FormatId::gltf) {
+void read_file_space(const aiScene& from, formats::FormatId format, Scene& scene) {
+    if (format == formats::FormatId::fbx) read_fbx_space(from, scene);
+    if (format == formats::FormatId::dae) read_dae_space(scene);
+    if (format == formats::FormatId::gltf) {
         scene.unit = 1;
         scene.up = Up::y;
     }

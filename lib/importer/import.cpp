@@ -6,11 +6,11 @@
 #include <set>
 
 #include "core/error.h"
+#include "formats/format.h"
+#include "formats/printable.h"
 #include "geometry/measures.h"
 #include "importer/cage.h"
 #include "importer/file_report.h"
-#include "importer/format.h"
-#include "importer/printable.h"
 #include "importer/read_scene.h"
 #include "importer/shell_from_scene.h"
 #include "importer/surface.h"
@@ -44,11 +44,11 @@ void cage_and_report(Result& result, std::uint32_t cells, const Context& context
 }
 
 VisualMesh read_visual(const std::string& name, const std::string& path, const Params& params, Report& report) {
-    const Scene scene = load_scene(path, Purpose::visual, params);
+    const Scene scene = load_scene(path, formats::Purpose::visual, params);
     const Placement placement = placement_of(scene, params);
     const Surface surface = flatten(scene, placement, params, name);
     if (surface.positions.empty()) throw Error(ErrorKind::bad_input, "it has no vertices");
-    report.visuals.push_back(report_file(name, format_of(path), placement, scene, surface));
+    report.visuals.push_back(report_file(name, formats::format_of(path), placement, scene, surface));
     for (Finding& finding : judge_reading(scene, report.visuals.back())) report.findings.push_back(std::move(finding));
     return make_visual(name, surface, place_vertex_list(scene, placement));
 }
@@ -74,11 +74,11 @@ std::vector<std::string> visual_names(const Sources& sources) {
         if (visual.path.empty()) throw Error(ErrorKind::usage, "--visual: it names no file");
         const std::string name = visual.name.empty() ? stem_of(visual.path) : visual.name;
         const bool is_path_like = name.find('/') != std::string::npos || name == "." || name == "..";
-        if (name.empty() || is_path_like || name != printable(name)) {
-            throw Error(ErrorKind::usage, "--visual: " + in_quotes(name) +
+        if (name.empty() || is_path_like || name != formats::printable(name)) {
+            throw Error(ErrorKind::usage, "--visual: " + formats::in_quotes(name) +
                                               " cannot name a visual mesh: a name is text without '/' that is not "
                                               "empty, at most " +
-                                              std::to_string(max_name_bytes) +
+                                              std::to_string(formats::max_name_bytes) +
                                               " bytes; give one with --visual NAME=" + visual.path);
         }
         if (!taken.insert(name).second) {
@@ -91,7 +91,7 @@ std::vector<std::string> visual_names(const Sources& sources) {
 }
 
 std::vector<std::string> shell_object_names(const Sources& sources, const Params& params) {
-    const Scene scene = load_scene(sources.shell, Purpose::shell, params);
+    const Scene scene = load_scene(sources.shell, formats::Purpose::shell, params);
     return naming(sources.shell, [&] {
         std::vector<std::string> names;
         Surface surface = flatten(scene, placement_of(scene, params), params, stem_of(sources.shell));
@@ -105,10 +105,10 @@ Result import_asset(const Sources& sources, const Params& params, const Context&
     Result result;
     const auto step_count = static_cast<double>(sources.visuals.size() + 2);
     context.tell_progress("import", 0);
-    const Scene scene = load_scene(sources.shell, Purpose::shell, params);
+    const Scene scene = load_scene(sources.shell, formats::Purpose::shell, params);
     context.tell_progress("import", 1 / step_count);
     result.asset.shell = naming(sources.shell, [&] {
-        return shell_from_scene(scene, format_of(sources.shell), stem_of(sources.shell), params, context,
+        return shell_from_scene(scene, formats::format_of(sources.shell), stem_of(sources.shell), params, context,
                                 result.report);
     });
     for (std::size_t i = 0; i < names.size(); ++i) {

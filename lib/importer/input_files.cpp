@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "importer/disguise.h"
-#include "importer/format.h"
-#include "importer/gltf_surface.h"
-#include "importer/printable.h"
+#include "formats/disguise.h"
+#include "formats/format.h"
+#include "formats/prescan.h"
+#include "formats/printable.h"
 #include "importer/read_scene.h"
 #include "importer/source_file.h"
 #include "sandbox/sandbox.h"
@@ -67,15 +67,15 @@ std::vector<std::string> decoded(const std::vector<std::byte>& bytes) {
 std::vector<std::string> read_buffer_paths(const std::string& path) {
     std::vector<std::string> paths;
     std::string bytes = read_file(path);
-    undisguise(bytes, FormatId::gltf);
-    for (const ExternalBuffer& buffer : gltf::external_buffers(gltf::parse(bytes).json))
+    formats::undisguise(bytes, formats::FormatId::gltf);
+    for (const formats::ExternalBuffer& buffer : formats::gltf_buffers(bytes))
         paths.push_back(path_of_uri(path, buffer.uri));
     return paths;
 }
 
 bool is_gltf(const std::string& path) {
     try {
-        return format_of(path).id == FormatId::gltf;
+        return formats::format_of(path).id == formats::FormatId::gltf;
     } catch (const Error&) {
         return false;
     }
@@ -99,7 +99,7 @@ void add_file(const std::string& name, const std::string& path, const Params& pa
 std::string path_of_uri(const std::string& gltf_path, const std::string& uri) {
     const std::string name = percent_decoded(uri);
     if (has_scheme(uri) || name.starts_with("/") || name.find('\0') != std::string::npos) {
-        throw Error(ErrorKind::bad_input, "its buffer " + in_quotes(uri) +
+        throw Error(ErrorKind::bad_input, "its buffer " + formats::in_quotes(uri) +
                                               " is not named by a path relative to the file; keep them in one folder, "
                                               "or export .glb");
     }
@@ -119,8 +119,8 @@ std::vector<InputFile> input_files(const Sources& sources, const Params& params)
 }
 
 void look_at_inputs(const Sources& sources, const Params& params) {
-    look_at_file(sources.shell, Purpose::shell, params);
-    for (const Sources::Visual& visual : sources.visuals) look_at_file(visual.path, Purpose::visual, params);
+    look_at_file(sources.shell, formats::Purpose::shell, params);
+    for (const Sources::Visual& visual : sources.visuals) look_at_file(visual.path, formats::Purpose::visual, params);
 }
 
 }

@@ -8,6 +8,7 @@
 #include "core/counted.h"
 #include "core/error.h"
 #include "core/short_text.h"
+#include "formats/color.h"
 #include "geometry/measures.h"
 #include "geometry/predicates.h"
 #include "geometry/self_intersection.h"
@@ -175,7 +176,7 @@ std::vector<Finding> judge_unused_locks(const Scene& scene, const std::vector<Ve
                                         const std::vector<std::uint8_t>& is_used) {
     Finding finding{"LOCK_UNUSED", Severity::warning, "", 0, {}};
     for (std::size_t v = 0; v < scene.file_reds.size(); ++v) {
-        if (is_used[v] || !is_locked(scene.file_reds[v])) continue;
+        if (is_used[v] || !formats::is_locked(scene.file_reds[v])) continue;
         if (finding.count++ < max_places) finding.places.push_back({vertex_list[v], static_cast<Index>(v), ""});
     }
     std::vector<Finding> findings;

@@ -61,9 +61,9 @@ sandbox::Limits limits_of(const Params& params) {
     return limits;
 }
 
-Scene load_scene(const std::string& path, Purpose purpose, const Params& params) {
+Scene load_scene(const std::string& path, formats::Purpose purpose, const Params& params) {
     check_given(path);
-    const Format& format = format_of(path);
+    const formats::Format& format = formats::format_of(path);
     const auto answer = answer_of(path, params, [&] { return encode(read_scene(path, format, purpose)); });
     try {
         return decode(answer);
@@ -72,9 +72,9 @@ Scene load_scene(const std::string& path, Purpose purpose, const Params& params)
     }
 }
 
-void look_at_file(const std::string& path, Purpose purpose, const Params& params) {
+void look_at_file(const std::string& path, formats::Purpose purpose, const Params& params) {
     check_given(path);
-    const Format& format = format_of(path);
+    const formats::Format& format = formats::format_of(path);
     (void)answer_of(path, params, [&] {
         look_at_bytes(path, format, purpose);
         return std::vector<std::byte>();

@@ -7,6 +7,7 @@
 
 #include "core/counted.h"
 #include "core/error.h"
+#include "formats/color.h"
 
 namespace crumple::importer {
 
@@ -96,7 +97,7 @@ std::uint64_t locked_in_set(const Scene& scene, std::size_t set) {
     std::uint64_t count = 0;
     for (const SceneMesh& mesh : scene.meshes) {
         if (set >= mesh.colors.size()) continue;
-        for (const Color& color : mesh.colors[set]) count += is_locked(color[0]);
+        for (const Color& color : mesh.colors[set]) count += formats::is_locked(color[0]);
     }
     return count;
 }
@@ -145,9 +146,7 @@ void check_set_exists(std::size_t set_count, std::uint32_t chosen) {
 
 }
 
-bool is_locked(float red) { return std::isfinite(red) && red < locked_below; }
-
-PaintedVertices read_paint(const Scene& scene, const Format& format, const Params& params, Surface& surface) {
+PaintedVertices read_paint(const Scene& scene, const formats::Format& format, const Params& params, Surface& surface) {
     PaintedVertices result;
     result.set_count = count_sets(scene);
     result.paint.assign(surface.positions.size(), Paint::none);
@@ -164,7 +163,7 @@ PaintedVertices read_paint(const Scene& scene, const Format& format, const Param
     FileVertices locked(surface);
     for (std::size_t v = 0; v < surface.colors.size(); ++v) {
         if (!has_color(surface, v)) continue;
-        result.paint[v] = is_locked(surface.colors[v][0]) ? Paint::locked : Paint::free;
+        result.paint[v] = formats::is_locked(surface.colors[v][0]) ? Paint::locked : Paint::free;
         if (result.paint[v] == Paint::locked) result.locked_count += locked.meets(v);
     }
     find_odd_vertices(
@@ -174,7 +173,7 @@ PaintedVertices read_paint(const Scene& scene, const Format& format, const Param
         surface, "LOCK_NEARLY_ZERO",
         "red is not 0 but below 0.5/255: these vertices are locked; an 8-bit colour converted from sRGB to "
         "linear can get there, so paint red 8 or more where free",
-        [](float red) { return red != 0 && is_locked(red); }, result.findings);
+        [](float red) { return red != 0 && formats::is_locked(red); }, result.findings);
     if (params.color_space == ColorSpace::srgb) make_linear(surface);
     return result;
 }

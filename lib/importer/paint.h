@@ -5,17 +5,11 @@
 #include <vector>
 
 #include "core/finding.h"
-#include "importer/format.h"
+#include "formats/format.h"
 #include "importer/scene.h"
 #include "importer/surface.h"
 
 namespace crumple::importer {
-
-// Half of the smallest red an 8-bit picture can hold above 0: 8-bit red 1 is not locked, 16-bit red 1 is.
-inline constexpr float locked_below = 0.5f / 255;
-
-// Of a stored red. What is no finite number locks nothing.
-[[nodiscard]] bool is_locked(float red);
 
 enum class Paint : std::uint8_t { none, free, locked };  // none: the file gives this vertex no colour
 
@@ -29,7 +23,7 @@ struct PaintedVertices {
 // Scales surface.colors to 0..1 where the format may hold bytes and every value is a whole number, judges the stored
 // red, then turns the colours linear where params say they are sRGB. Leaves surface.colors empty when nothing has one.
 // Throws Error(usage) for a colour set that the file has not.
-[[nodiscard]] PaintedVertices read_paint(const Scene& scene, const Format& format, const Params& params,
+[[nodiscard]] PaintedVertices read_paint(const Scene& scene, const formats::Format& format, const Params& params,
                                          Surface& surface);
 
 }

@@ -9,12 +9,12 @@
 #include <new>
 
 #include "core/error.h"
-#include "importer/disguise.h"
+#include "formats/disguise.h"
+#include "formats/prescan.h"
+#include "formats/printable.h"
 #include "importer/file_space.h"
 #include "importer/input_files.h"
 #include "importer/memory_files.h"
-#include "importer/prescan.h"
-#include "importer/printable.h"
 #include "importer/restore.h"
 #include "importer/source_file.h"
 
@@ -24,32 +24,11 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::bad_input, what); }
 
-Prescan prescan(std::string_view bytes, FormatId format, Purpose purpose) {
-    switch (format) {
-        case FormatId::obj:
-            return prescan_obj(bytes, purpose);
-        case FormatId::ply:
-            return prescan_ply(bytes, purpose);
-        case FormatId::off:
-            return prescan_off(bytes, purpose);
-        case FormatId::gltf:
-            return prescan_gltf(bytes, purpose);
-        case FormatId::dae:
-            return prescan_dae(bytes, purpose);
-        case FormatId::fbx:
-            return prescan_fbx(bytes, purpose);
-        case FormatId::x:
-            return prescan_x(bytes, purpose);
-        case FormatId::stl:
-            return prescan_numbers(bytes);
-    }
-    return {};
-}
-
 constexpr const char* no_faces = "it has no faces; a surface is needed";
 
-bool counts_triangles(FormatId format) {
-    return format == FormatId::obj || format == FormatId::ply || format == FormatId::off || format == FormatId::gltf;
+bool counts_triangles(formats::FormatId format) {
+    return format == formats::FormatId::obj || format == formats::FormatId::ply || format == formats::FormatId::off ||
+           format == formats::FormatId::gltf;
 }
 
 // Formats are empty in many words.
@@ -81,7 +60,7 @@ std::string generator_of(const aiScene& scene) {
     return scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) ? generator.C_Str() : "";
 }
 
-void check_importer(const aiScene& scene, const Format& format) {
+void check_importer(const aiScene& scene, const formats::Format& format) {
     aiString used;
     const bool says = scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, used);
     if (!says || std::string_view(used.C_Str()) == format.assimp_name) return;
@@ -91,13 +70,13 @@ void check_importer(const aiScene& scene, const Format& format) {
 // The bytes of a file and of those that belong to it, found good.
 struct Source {
     std::string bytes;
-    Prescan scan;
+    formats::Prescan scan;
     std::vector<std::string> buffers;  // as scan.buffers
 };
 
-std::string read_buffer(const std::string& path, const ExternalBuffer& buffer) {
+std::string read_buffer(const std::string& path, const formats::ExternalBuffer& buffer) {
     std::string bytes;
-    const std::string name = "its buffer " + in_quotes(buffer.uri);
+    const std::string name = "its buffer " + formats::in_quotes(buffer.uri);
     const std::string where = path_of_uri(path, buffer.uri);
     try {
         bytes = read_file(where);
@@ -111,28 +90,29 @@ std::string read_buffer(const std::string& path, const ExternalBuffer& buffer) {
     return bytes;
 }
 
-Source look_at(const std::string& path, const Format& format, Purpose purpose) {
+Source look_at(const std::string& path, const formats::Format& format, formats::Purpose purpose) {
     Source source;
     source.bytes = read_file(path);
     if (source.bytes.empty()) refuse("the file is empty");
-    undisguise(source.bytes, format.id);
-    source.scan = prescan(source.bytes, format.id, purpose);
+    formats::undisguise(source.bytes, format.id);
+    source.scan = formats::prescan(source.bytes, format.id, purpose);
     // A visual mesh of glTF may be points: they move with the shell too.
-    const bool needs_faces = purpose == Purpose::shell || format.id != FormatId::gltf;
+    const bool needs_faces = purpose == formats::Purpose::shell || format.id != formats::FormatId::gltf;
     if (needs_faces && counts_triangles(format.id) && source.scan.expected_triangles == 0) refuse(no_faces);
-    for (const ExternalBuffer& buffer : source.scan.buffers) source.buffers.push_back(read_buffer(path, buffer));
+    for (const formats::ExternalBuffer& buffer : source.scan.buffers)
+        source.buffers.push_back(read_buffer(path, buffer));
     return source;
 }
 
 // assimp takes a file's name for what it is: a binary glTF by the name of .gltf it would not read.
-std::string name_for_assimp(const std::string& path, const Format& format, std::string_view bytes) {
-    if (format.id != FormatId::gltf) return path;
+std::string name_for_assimp(const std::string& path, const formats::Format& format, std::string_view bytes) {
+    if (format.id != formats::FormatId::gltf) return path;
     return bytes.starts_with("glTF") ? "scene.glb" : "scene.gltf";
 }
 
 // The importer is never destroyed: some destructors crash after a good load, and this process ends anyway.
 // JoinIdenticalVertices would lose locks (it ignores colours), SortByPType would reorder vertices.
-const aiScene& read_with_assimp(const std::string& path, const Source& source, const Format& format) {
+const aiScene& read_with_assimp(const std::string& path, const Source& source, const formats::Format& format) {
     auto* files = new MemoryFiles;
     const std::string& bytes = source.scan.surface_only.empty() ? source.bytes : source.scan.surface_only;
     const std::string name = name_for_assimp(path, format, bytes);
@@ -177,7 +157,7 @@ std::vector<std::vector<Color>> copy_colors(const aiMesh& mesh) {
     return sets;
 }
 
-SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, Purpose purpose) {
+SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, formats::Purpose purpose) {
     SceneMesh mesh;
     mesh.name = from.mName.C_Str();
     if (from.mMaterialIndex < scene.mNumMaterials)
@@ -188,7 +168,7 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, Purpose purpose) {
         mesh.positions[v] = {p.x, p.y, p.z};
     }
     copy_faces(from, mesh);
-    if (purpose == Purpose::shell) mesh.colors = copy_colors(from);
+    if (purpose == formats::Purpose::shell) mesh.colors = copy_colors(from);
     return mesh;
 }
 
@@ -197,7 +177,7 @@ void forget_colors(Scene& scene) {
     for (SceneMesh& mesh : scene.meshes) mesh.colors.clear();
 }
 
-Affine copy_transform(const aiMatrix4x4& m, const char* node) {
+formats::Affine copy_transform(const aiMatrix4x4& m, const char* node) {
     if (m.d1 != 0 || m.d2 != 0 || m.d3 != 0 || m.d4 != 1)
         refuse(std::string("the transform of node '") + node + "' is not affine");
     return {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4};
@@ -226,7 +206,7 @@ void copy_nodes(const aiNode& root, std::vector<SceneNode>& nodes) {
 
 }
 
-Scene read_scene(const std::string& path, const Format& format, Purpose purpose) {
+Scene read_scene(const std::string& path, const formats::Format& format, formats::Purpose purpose) {
     Source source = look_at(path, format, purpose);
     const aiScene& from = read_with_assimp(path, source, format);
 
@@ -237,13 +217,13 @@ Scene read_scene(const std::string& path, const Format& format, Purpose purpose)
     scene.extensions = source.scan.extensions;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
-    if (format.id == FormatId::stl) forget_colors(scene);
+    if (format.id == formats::FormatId::stl) forget_colors(scene);
     read_file_space(from, format.id, scene);
     restore(std::move(source.scan), scene);
     return scene;
 }
 
-void look_at_bytes(const std::string& path, const Format& format, Purpose purpose) {
+void look_at_bytes(const std::string& path, const formats::Format& format, formats::Purpose purpose) {
     (void)look_at(path, format, purpose);
 }
 

@@ -8,7 +8,8 @@
 #include <unordered_map>
 
 #include "core/error.h"
-#include "importer/assimp_number.h"
+#include "formats/assimp_number.h"
+#include "formats/color.h"
 #include "importer/paint.h"
 
 namespace crumple::importer {
@@ -41,7 +42,7 @@ struct PositionHash {
 }
 
 // Each corner's vertex is found by the position assimp made of it; of equal positions the first serves for all.
-void restore_vertex_list(Prescan scan, Scene& scene) {
+void restore_vertex_list(formats::Prescan scan, Scene& scene) {
     std::unordered_map<Vec3f, Index, PositionHash> vertex_at;
     vertex_at.reserve(scan.assimp_positions.size());
     for (std::size_t v = 0; v < scan.assimp_positions.size(); ++v) {
@@ -65,18 +66,18 @@ void restore_vertex_list(Prescan scan, Scene& scene) {
 }
 
 // The first vertex of which assimp delivered something else, or the number of vertices.
-std::size_t first_difference(const Prescan& scan, const SceneMesh& mesh) {
+std::size_t first_difference(const formats::Prescan& scan, const SceneMesh& mesh) {
     const bool has_reds = !scan.reds.empty() && !mesh.colors.empty() && !mesh.colors[0].empty();
     for (std::size_t v = 0; v < scan.positions.size(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!is_same_number(scan.positions[v][axis], mesh.positions[v][axis])) return v;
+            if (!formats::is_same_number(scan.positions[v][axis], mesh.positions[v][axis])) return v;
         }
-        if (has_reds && is_locked(scan.reds[v]) != is_locked(mesh.colors[0][v][0])) return v;
+        if (has_reds && formats::is_locked(scan.reds[v]) != formats::is_locked(mesh.colors[0][v][0])) return v;
     }
     return scan.positions.size();
 }
 
-void restore_numbers(Prescan scan, SceneMesh& mesh) {
+void restore_numbers(formats::Prescan scan, SceneMesh& mesh) {
     if (scan.positions.size() != mesh.positions.size()) disagree("the number of vertices");
     if (!scan.reds.empty() && mesh.colors.empty()) disagree("the colours");
     const std::size_t vertex = first_difference(scan, mesh);
@@ -85,16 +86,16 @@ void restore_numbers(Prescan scan, SceneMesh& mesh) {
 }
 
 // The nearest float of the one number of the file that assimp reads as `read`; where several are, one cannot tell.
-float exact_of(const std::vector<ReadNumber>& numbers, float read) {
-    const auto less = [](const ReadNumber& number, float value) { return number.read < value; };
+float exact_of(const std::vector<formats::ReadNumber>& numbers, float read) {
+    const auto less = [](const formats::ReadNumber& number, float value) { return number.read < value; };
     const auto first = std::lower_bound(numbers.begin(), numbers.end(), read, less);
     if (first == numbers.end() || first->read != read) return read;
     const auto next = std::next(first);
     const bool is_only = next == numbers.end() || next->read != read;
-    return is_only && is_same_number(first->exact, read) ? first->exact : read;
+    return is_only && formats::is_same_number(first->exact, read) ? first->exact : read;
 }
 
-void restore_by_value(const std::vector<ReadNumber>& numbers, Scene& scene) {
+void restore_by_value(const std::vector<formats::ReadNumber>& numbers, Scene& scene) {
     for (SceneMesh& mesh : scene.meshes) {
         for (Vec3f& p : mesh.positions) {
             for (int axis = 0; axis < 3; ++axis) p[axis] = exact_of(numbers, p[axis]);
@@ -103,7 +104,7 @@ void restore_by_value(const std::vector<ReadNumber>& numbers, Scene& scene) {
 }
 
 // How far b is from a, 1: as far as floats can have taken it. Translations are copied, the rest is a product of a few.
-double difference(const Affine& a, const Affine& b) {
+double difference(const formats::Affine& a, const formats::Affine& b) {
     double linear_scale = 0;
     double linear = 0;
     double translation = 0;
@@ -120,12 +121,12 @@ double difference(const Affine& a, const Affine& b) {
 }
 
 // Each node takes the nearest of the file's transforms, if that is what assimp's floats can have come from.
-void restore_transforms(const std::vector<Affine>& transforms, Scene& scene) {
+void restore_transforms(const std::vector<formats::Affine>& transforms, Scene& scene) {
     if (transforms.size() > max_nodes_to_match) return;
     for (SceneNode& node : scene.nodes) {
-        const Affine read = node.transform;
+        const formats::Affine read = node.transform;
         double nearest = 1;
-        for (const Affine& exact : transforms) {
+        for (const formats::Affine& exact : transforms) {
             if (difference(exact, read) >= nearest) continue;
             nearest = difference(exact, read);
             node.transform = exact;
@@ -135,7 +136,7 @@ void restore_transforms(const std::vector<Affine>& transforms, Scene& scene) {
 
 }
 
-void restore(Prescan scan, Scene& scene) {
+void restore(formats::Prescan scan, Scene& scene) {
     restore_by_value(scan.numbers, scene);
     restore_transforms(scan.transforms, scene);
     if (!scan.assimp_positions.empty()) {

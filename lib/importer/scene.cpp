@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/error.h"
-#include "importer/printable.h"
+#include "formats/printable.h"
 
 namespace crumple::importer {
 
@@ -100,8 +100,8 @@ void write_mesh(Writer& out, const SceneMesh& mesh) {
 
 SceneMesh read_mesh(Reader& in) {
     SceneMesh mesh;
-    mesh.name = printable(in.text());
-    mesh.material = printable(in.text());
+    mesh.name = formats::printable(in.text());
+    mesh.material = formats::printable(in.text());
     mesh.positions = in.array<Vec3f>();
     mesh.triangles = in.array<Triangle>();
     mesh.colors.resize(in.count(sizeof(std::uint64_t)));
@@ -122,9 +122,9 @@ void write_node(Writer& out, const SceneNode& node) {
 
 SceneNode read_node(Reader& in) {
     SceneNode node;
-    node.name = printable(in.text());
+    node.name = formats::printable(in.text());
     node.parent = in.number<Index>();
-    node.transform = in.number<Affine>();
+    node.transform = in.number<formats::Affine>();
     node.meshes = in.array<Index>();
     return node;
 }
@@ -222,14 +222,14 @@ Scene decode(std::span<const std::byte> bytes) {
     Reader in(bytes);
     if (in.number<std::uint32_t>() != scene_magic) damaged("it is of another version");
     Scene scene;
-    scene.generator = printable(in.text());
+    scene.generator = formats::printable(in.text());
     scene.unit = in.number<double>();
     scene.up = static_cast<Up>(in.number<std::uint32_t>());
     scene.axes = in.number<std::array<double, 9>>();
     scene.expected_triangles = in.number<std::uint64_t>();
-    scene.unread = in.number<Unread>();
+    scene.unread = in.number<formats::Unread>();
     scene.extensions.resize(in.count(sizeof(std::uint64_t)));
-    for (std::string& name : scene.extensions) name = printable(in.text());
+    for (std::string& name : scene.extensions) name = formats::printable(in.text());
     scene.file_positions = in.array<Vec3f>();
     scene.file_reds = in.array<float>();
     constexpr std::size_t smallest_mesh = 8 * sizeof(std::uint64_t);

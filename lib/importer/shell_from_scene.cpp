@@ -119,8 +119,8 @@ void report_shell(const Shell& shell, const Components& components, Report& repo
 
 }
 
-Shell shell_from_scene(const Scene& scene, const Format& format, const std::string& fallback_name, const Params& params,
-                       const Context& context, Report& report) {
+Shell shell_from_scene(const Scene& scene, const formats::Format& format, const std::string& fallback_name,
+                       const Params& params, const Context& context, Report& report) {
     const Placement placement = placement_of(scene, params);
     Surface surface = flatten(scene, placement, params, fallback_name);
     report.shell = report_file("shell", format, placement, scene, surface);

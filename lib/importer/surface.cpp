@@ -11,8 +11,8 @@ namespace crumple::importer {
 
 namespace {
 
-Affine compose(const Affine& outer, const Affine& inner) {
-    Affine result{};
+formats::Affine compose(const formats::Affine& outer, const formats::Affine& inner) {
+    formats::Affine result{};
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 4; ++column) {
             double sum = column == 3 ? outer[4 * row + 3] : 0;
@@ -23,13 +23,13 @@ Affine compose(const Affine& outer, const Affine& inner) {
     return result;
 }
 
-double determinant(const Affine& m) {
+double determinant(const formats::Affine& m) {
     return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
            m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
-Affine affine_of(const Placement& placement) {
-    Affine result{};
+formats::Affine affine_of(const Placement& placement) {
+    formats::Affine result{};
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
             result[4 * row + column] = placement.axes[3 * row + column] * placement.unit;
@@ -38,12 +38,12 @@ Affine affine_of(const Placement& placement) {
     return result;
 }
 
-Vec3 apply(const Affine& m, Vec3f p) {
+Vec3 apply(const formats::Affine& m, Vec3f p) {
     return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
             m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
 }
 
-Vec3 place(const Affine& transform, Vec3f p) {
+Vec3 place(const formats::Affine& transform, Vec3f p) {
     const Vec3 placed = apply(transform, p);
     constexpr double most = std::numeric_limits<float>::max();
     for (int axis = 0; axis < 3; ++axis) {
@@ -103,7 +103,7 @@ bool has_color(const SceneMesh& mesh, std::uint32_t set) {
     return set < mesh.colors.size() && !mesh.colors[set].empty();
 }
 
-void add_instance(const SceneMesh& mesh, Index first_source, const Affine& transform, std::uint32_t color_set,
+void add_instance(const SceneMesh& mesh, Index first_source, const formats::Affine& transform, std::uint32_t color_set,
                   Surface& surface) {
     const auto base = static_cast<Index>(surface.positions.size());
     const auto part = static_cast<Index>(surface.parts.size() - 1);
@@ -139,17 +139,17 @@ Surface flatten(const Scene& scene, const Placement& placement, const Params& pa
                 const std::string& fallback_name) {
     check_size(scene, params);
     const std::vector<Index> first_source = first_vertices(scene);
-    const Affine file_to_ours = affine_of(placement);
+    const formats::Affine file_to_ours = affine_of(placement);
     Surface surface;
     surface.has_vertex_list = !scene.file_positions.empty();
     surface.source_vertex_count = surface.has_vertex_list ? scene.file_positions.size() : first_source.back();
-    std::vector<Affine> to_file(scene.nodes.size());
+    std::vector<formats::Affine> to_file(scene.nodes.size());
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
         const SceneNode& node = scene.nodes[n];
         to_file[n] = node.parent == none ? node.transform : compose(to_file[node.parent], node.transform);
         if (node.meshes.empty()) continue;
         surface.objects.push_back({object_name(node, scene, fallback_name)});
-        const Affine transform = compose(file_to_ours, to_file[n]);
+        const formats::Affine transform = compose(file_to_ours, to_file[n]);
         for (const Index m : node.meshes) {
             const SceneMesh& mesh = scene.meshes[m];
             const std::string material = mesh.material == "DefaultMaterial" ? "" : mesh.material;
@@ -163,7 +163,7 @@ Surface flatten(const Scene& scene, const Placement& placement, const Params& pa
 }
 
 std::vector<Vec3> place_vertex_list(const Scene& scene, const Placement& placement) {
-    const Affine transform = affine_of(placement);
+    const formats::Affine transform = affine_of(placement);
     std::vector<Vec3> positions;
     positions.reserve(scene.file_positions.size());
     for (const Vec3f& p : scene.file_positions) positions.push_back(place(transform, p));

@@ -10,14 +10,15 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "importer/format.h"
-#include "importer/prescan.h"
+#include "formats/format.h"
+#include "formats/prescan.h"
 #include "importer/scene.h"
 #include "importer/shell_from_scene.h"
 
 namespace {
 
 using namespace crumple;
+using namespace crumple::formats;
 using namespace crumple::importer;
 
 void require(bool holds) {

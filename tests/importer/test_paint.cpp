@@ -12,7 +12,7 @@ namespace {
 
 using test::find;
 
-const Format& format_named(const char* path) { return format_of(path); }
+const formats::Format& format_named(const char* path) { return formats::format_of(path); }
 
 // One vertex a colour.
 Surface painted_surface(const std::vector<Color>& colors) {
@@ -38,9 +38,9 @@ TEST(Paint, WithoutColoursNothingIsSaid) {
 }
 
 TEST(Paint, ThresholdIsHalfAnEightBitStep) {
-    const float below = std::nextafter(locked_below, 0.0f);
+    const float below = std::nextafter(formats::locked_below, 0.0f);
     const auto paint = paint_of(
-        painted_surface({red(0), red(-0.0f), red(below), red(locked_below), red(1.0f / 255), red(1.0f / 65535)}));
+        painted_surface({red(0), red(-0.0f), red(below), red(formats::locked_below), red(1.0f / 255), red(1.0f / 65535)}));
     EXPECT_EQ(paint, (std::vector<Paint>{Paint::locked, Paint::locked, Paint::locked, Paint::free, Paint::free,
                                          Paint::locked}));
 }

@@ -9,9 +9,9 @@
 namespace crumple::importer {
 namespace {
 
-constexpr Affine identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+constexpr formats::Affine identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
-Scene scene_with(const Affine& transform) {
+Scene scene_with(const formats::Affine& transform) {
     Scene scene;
     SceneMesh mesh;
     mesh.name = "mesh";
