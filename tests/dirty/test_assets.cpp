@@ -43,7 +43,7 @@ std::string flipped(const std::string& text, double share) {
 class DirtyAssets : public testing::Test {
 protected:
     void SetUp() override {
-        if (!std::filesystem::exists(quality_folder())) GTEST_SKIP() << "no shared data at " << quality_folder();
+        CRUMPLE_NEEDS_DATA();
     }
 };
 

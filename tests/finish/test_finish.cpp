@@ -326,8 +326,9 @@ TEST(Finish, AThinShellIsNamedAsWhatForcesFlatTets) {
 }
 
 TEST(Finish, SpotReachesItsGoal) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shared_shell("spot");
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     const TetMesh mesh = culled(*shell);
     const Result result = finish_mesh(*shell, mesh);
     expect_sound(*shell, result.mesh);
@@ -338,8 +339,9 @@ TEST(Finish, SpotReachesItsGoal) {
 }
 
 TEST(Finish, BonnetReachesItsGoal) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shared_shell("bonnet");
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     const Result result = finish_mesh(*shell, culled(*shell));
     expect_sound(*shell, result.mesh);
     EXPECT_EQ(result.report.after.below_10_deg, 0u);
@@ -348,9 +350,10 @@ TEST(Finish, BonnetReachesItsGoal) {
 }
 
 TEST(Finish, DirtyShellsGetAManifoldSurface) {
+    CRUMPLE_NEEDS_DATA();
     for (const char* name : {"cow", "suzanne"}) {
         const auto shell = shared_shell(name);
-        if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+        ASSERT_TRUE(shell);
         const TetMesh mesh = culled(*shell);
         const Result result = finish_mesh(*shell, mesh);
         expect_sound(*shell, result.mesh);

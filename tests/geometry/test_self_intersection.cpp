@@ -110,9 +110,10 @@ Shell obj_of(const std::string& name) {
 }
 
 TEST(SelfIntersection, RealShellsGiveThePairsOfCgal) {
+    CRUMPLE_NEEDS_DATA();
     for (const auto& [name, crosses] : {std::pair{"cow", true}, {"spot", false}, {"fandisk", false}}) {
         const Shell shell = obj_of(std::string("quality/") + name + ".obj");
-        if (shell.triangles.empty()) GTEST_SKIP() << "no shared data: set CRUMPLE_DATA to its folder";
+        ASSERT_FALSE(shell.triangles.empty()) << name;
         const Pairs pairs = pairs_of(shell);
         EXPECT_EQ(!pairs.empty(), crosses) << name;
         EXPECT_EQ(pairs, pairs_by_cgal(shell)) << name;

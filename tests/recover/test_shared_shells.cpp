@@ -21,8 +21,9 @@ struct Expected {
 class Shared : public testing::TestWithParam<Expected> {};
 
 TEST_P(Shared, LosesNoShape) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shapes::read_obj_shell(test::data_folder() / GetParam().path);
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     const TetMesh before = relax::relax_points(delaunay_of(*shell, "auto"), *shell).mesh;
     const Result result = recover_shell(before, *shell);
     expect_sound(*shell, before, result.mesh);
@@ -39,8 +40,9 @@ TEST_P(Shared, LosesNoShape) {
 
 // The car body lost 8.4 % of its volume and had 21 non-manifold edges before there was this stage.
 TEST(SharedShells, TheCarBodyIsExactAndManifold) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shapes::read_obj_shell(test::data_folder() / "quality/carbody.obj");
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     const TetMesh before = relax::relax_points(delaunay_of(*shell, "auto"), *shell).mesh;
     const Result result = recover_shell(before, *shell);
     EXPECT_EQ(result.report.added_nodes, 0u);

@@ -14,8 +14,9 @@ namespace {
 class Spot20 : public testing::TestWithParam<Method> {};
 
 TEST_P(Spot20, FromUniformPointsTheStudysFiguresAreReached) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shapes::read_obj_shell(test::data_folder() / "quality/spot.obj");
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     Params params;
     params.method = GetParam();
     const Report report = relax_points(shapes::filled(*shell), *shell, params).report;

@@ -21,8 +21,9 @@ struct Expected {
 class SharedShell : public testing::TestWithParam<Expected> {};
 
 TEST_P(SharedShell, HasTheAutomaticCountOfTheStudyAndAllPointsInside) {
+    CRUMPLE_NEEDS_DATA();
     const auto shell = shapes::read_obj_shell(test::data_folder() / "quality" / GetParam().file);
-    if (!shell) GTEST_SKIP() << "no shared data at " << test::data_folder();
+    ASSERT_TRUE(shell);
     const Result result = sample_interior(*shell);
     EXPECT_NEAR(static_cast<double>(result.report.automatic_count), GetParam().count, GetParam().tolerance);
     EXPECT_EQ(result.report.points, result.report.automatic_count);
