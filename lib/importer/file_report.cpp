@@ -59,6 +59,9 @@ void judge_nodes(const Scene& scene, const FileReport& report, std::vector<Findi
                                     " outside the scene that is read (of another scene, or a level of detail)",
                                 count));
     }
+}
+
+void judge_poses(const Scene& scene, const FileReport& report, std::vector<Finding>& findings) {
     if (const std::uint64_t count = scene.unread.skins; count > 0) {
         findings.push_back(told("FILE_SKIN", Severity::warning, report,
                                 counted(count, "mesh is", "meshes are") +
@@ -72,6 +75,9 @@ void judge_nodes(const Scene& scene, const FileReport& report, std::vector<Findi
                                     " in morph targets (shape keys), which are not read; apply them before exporting",
                                 count));
     }
+}
+
+void judge_extensions(const Scene& scene, const FileReport& report, std::vector<Finding>& findings) {
     if (scene.extensions.empty()) return;
     std::string names;
     for (std::size_t i = 0; i < std::min(scene.extensions.size(), max_places); ++i)
@@ -88,6 +94,8 @@ std::vector<Finding> judge_reading(const Scene& scene, const FileReport& report)
     std::vector<Finding> findings;
     judge_faces(scene, report, findings);
     judge_nodes(scene, report, findings);
+    judge_poses(scene, report, findings);
+    judge_extensions(scene, report, findings);
     if (const std::uint64_t count = scene.unread.free_form; count > 0) {
         findings.push_back(told("FILE_FREE_FORM", Severity::warning, report,
                                 counted(count, "free-form curve or surface was", "free-form curves and surfaces were") +
