@@ -8,7 +8,7 @@ namespace crumple::formats {
 struct Unread {
     std::uint64_t bytes = 0;              // behind what its header announces (PLY, binary glTF)
     std::uint64_t free_form = 0;          // curves and surfaces that are not polygons (OBJ)
-    std::uint64_t points_and_lines = 0;   // OBJ; of other formats assimp counts them, see SceneMesh
+    std::uint64_t points_and_lines = 0;   // OBJ; of other formats assimp counts them
     std::uint64_t colored_faces = 0;      // with a colour of their own (PLY, OFF, FBX)
     std::uint64_t polypaint = 0;          // vertices with a colour in comments of ZBrush (OBJ)
     std::uint64_t nodes = 0;              // with a mesh, outside the scene that is read (glTF)

@@ -114,7 +114,7 @@ bool is_array(const T* data, std::size_t count) {
     return data != nullptr || count == 0;
 }
 
-// Whether the caller's bytes are obstacles and constraints at all: a byte may hold any number.
+// Whether there are arrays where counts say so, and the kinds in them are some at all: a byte may hold any number.
 bool are_arrays_fine(const crumple_input& input) {
     if (!is_array(input.obstacles, input.obstacle_count) || !is_array(input.hits, input.hit_count) ||
         !is_array(input.constraints, input.constraint_count)) {

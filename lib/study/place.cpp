@@ -63,6 +63,7 @@ solver::Obstacle place_obstacle(const SceneObstacle& o, const Bundle& bundle, Ve
     placed.shape = o.shape;
     placed.position = box_of(bundle).middle() + o.position;
     placed.axis = o.axis;
+    // A plane's axis may have any length, which is no size of it.
     if (o.shape == solver::ObstacleShape::plane) placed.axis = nearest_surface(placed, placed.position).normal;
     placed.radius = o.radius_m;
     placed.velocity = o.velocity;
