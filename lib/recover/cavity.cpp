@@ -6,9 +6,6 @@
 
 #include "geometry/measures.h"
 #include "geometry/predicates.h"
-#include "recover/constraints.h"
-#include "recover/flips.h"
-#include "recover/splits.h"
 
 namespace crumple::recover {
 
@@ -17,14 +14,13 @@ namespace {
 // A cone from a node that is there is good enough from this quality on: a node less is worth more than rounder tets.
 constexpr double good_enough = 0.05;
 
+// Like quality_of (flips.h) but for its constant factor, as it is only compared.
 double shape_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const double squares = dot(b - a, b - a) + dot(c - a, c - a) + dot(d - a, d - a) + dot(c - b, c - b) +
                            dot(d - b, d - b) + dot(d - c, d - c);
     const double mean = squares / 6;
     return signed_volume(a, b, c, d) / (mean * std::sqrt(mean));
 }
-
-bool has_corner(const Triangle& face, Index v) { return face[0] == v || face[1] == v || face[2] == v; }
 
 // Of the worst tet of a cone, or 0 when one is not positive. The apex itself is `node` or none.
 double cone_quality(const TetComplex& complex, const Cavity& cavity, Index node, Vec3 apex, double at_least) {
@@ -66,9 +62,6 @@ Filling best_filling(const TetComplex& complex, const Cavity& cavity, Vec3 seed)
         if (quality > best.quality) best = {v, {}, quality};
     }
     if (best.quality >= good_enough) return best;
-    Vec3 inwards;
-    for (const Triangle& face : cavity.faces)
-        inwards += area_vector(complex.position(face[0]), complex.position(face[2]), complex.position(face[1]));
     double reach = 1;
     for (int halving = 0; halving < 20; ++halving, reach *= 0.5) {
         const Vec3 place = round_to_float(seed + (middle - seed) * reach);
@@ -82,134 +75,6 @@ void append_cone(const Cavity& cavity, Index apex, std::vector<Tet>& tets) {
     for (const Triangle& face : cavity.faces) {
         if (!has_corner(face, apex)) tets.push_back({face[0], face[2], face[1], apex});
     }
-}
-
-namespace {
-
-// Grows a cavity around a place and shrinks it again until all of its surface is seen from there.
-class Grower {
-public:
-    Grower(const TetComplex& complex, const Constraints& constraints, Vec3 place, std::vector<Index> holders)
-        : complex_(complex), constraints_(constraints), place_(place), holders_(std::move(holders)) {}
-
-    bool find(Cavity& cavity) {
-        grow();
-        while (tets_.size() > holders_.size()) {
-            const Index bad = find_bad();
-            if (bad == none) break;
-            tets_.erase(std::find(tets_.begin(), tets_.end(), bad));
-        }
-        cavity.tets = tets_;
-        cavity.faces.clear();
-        return read_surface(cavity.faces) == none && keeps_what_must_stay(cavity.faces) == none;
-    }
-
-private:
-    static constexpr std::size_t largest = 64;
-
-    [[nodiscard]] bool has(Index t) const { return std::find(tets_.begin(), tets_.end(), t) != tets_.end(); }
-    [[nodiscard]] bool is_holder(Index t) const {
-        return std::find(holders_.begin(), holders_.end(), t) != holders_.end();
-    }
-
-    void grow() {
-        tets_ = holders_;
-        for (std::size_t i = 0; i < tets_.size() && tets_.size() < largest; ++i) {
-            for (int corner = 0; corner < 4; ++corner) {
-                const Index next = complex_.neighbour(tets_[i], corner);
-                if (next == none || has(next)) continue;
-                const Triangle face = outward_face(complex_.corners(tets_[i]), corner);
-                if (constraints_.has_facet(face[0], face[1], face[2])) continue;
-                const auto& [a, b, c, d] = complex_.corners(next);
-                if (in_sphere(complex_.position(a), complex_.position(b), complex_.position(c), complex_.position(d),
-                              place_) > 0) {
-                    tets_.push_back(next);
-                }
-            }
-        }
-    }
-
-    // The tet of a face that the place does not see, holders last; none when all is well.
-    Index read_surface(std::vector<Triangle>& faces) const {
-        for (const Index t : tets_) {
-            for (int corner = 0; corner < 4; ++corner) {
-                const Index next = complex_.neighbour(t, corner);
-                if (next != none && has(next)) continue;
-                const Triangle face = outward_face(complex_.corners(t), corner);
-                if (orient3d(complex_.position(face[0]), complex_.position(face[2]), complex_.position(face[1]),
-                             place_) <= 0) {
-                    return t;
-                }
-                faces.push_back(face);
-            }
-        }
-        return none;
-    }
-
-    // A tet whose loss would take a node, a segment or a facet away; none when all stay.
-    Index keeps_what_must_stay(const std::vector<Triangle>& faces) const {
-        const auto on_surface = [&](Index u, Index v) {
-            return std::any_of(faces.begin(), faces.end(),
-                               [&](const Triangle& f) { return has_corner(f, u) && has_corner(f, v); });
-        };
-        for (std::size_t i = tets_.size(); i-- > 0;) {
-            const Tet& tet = complex_.corners(tets_[i]);
-            for (const auto& [p, q] : tet_edge_corners) {
-                if (on_surface(tet[p], tet[q])) continue;
-                if (constraints_.has_segment(tet[p], tet[q]) || !on_surface(tet[p], tet[p]) ||
-                    !on_surface(tet[q], tet[q])) {
-                    return tets_[i];
-                }
-            }
-            for (int corner = 0; corner < 4; ++corner) {
-                const Index next = complex_.neighbour(tets_[i], corner);
-                const Triangle face = outward_face(tet, corner);
-                if (next != none && has(next) && constraints_.has_facet(face[0], face[1], face[2])) return tets_[i];
-            }
-        }
-        return none;
-    }
-
-    [[nodiscard]] Index find_bad() const {
-        std::vector<Triangle> faces;
-        Index bad = read_surface(faces);
-        if (bad == none) bad = keeps_what_must_stay(faces);
-        if (bad == none || !is_holder(bad)) return bad;
-        return tets_.back();  // the holders stay: whatever hides them goes, last come first
-    }
-
-    const TetComplex& complex_;
-    const Constraints& constraints_;
-    Vec3 place_;
-    std::vector<Index> holders_;
-    std::vector<Index> tets_;
-};
-
-}
-
-std::vector<Index> holders_of(const TetComplex& complex, std::span<const Index> candidates, Vec3 place) {
-    std::vector<Index> holders;
-    for (const Index t : candidates) {
-        bool holds = true;
-        for (int corner = 0; corner < 4 && holds; ++corner) {
-            const auto& face = tet_face_corners[corner];
-            const Tet& tet = complex.corners(t);
-            holds = orient3d(complex.position(tet[face[0]]), complex.position(tet[face[2]]),
-                             complex.position(tet[face[1]]), place) >= 0;
-        }
-        if (holds) holders.push_back(t);
-    }
-    return holders;
-}
-
-Index insert_node(TetComplex& complex, const Constraints& constraints, Vec3 place, std::vector<Index> holders) {
-    Cavity cavity;
-    if (!Grower(complex, constraints, place, std::move(holders)).find(cavity)) return none;
-    const Index node = complex.add_node(place);
-    std::vector<Tet> fresh;
-    append_cone(cavity, node, fresh);
-    complex.replace(cavity.tets, fresh);
-    return node;
 }
 
 }

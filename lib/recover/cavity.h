@@ -16,6 +16,10 @@ struct Cavity {
 
 [[nodiscard]] Triangle outward_face(const Tet& tet, int corner);
 
+[[nodiscard]] inline bool has_corner(const Triangle& face, Index v) {
+    return face[0] == v || face[1] == v || face[2] == v;
+}
+
 // An apex from which every face of a cavity is seen from inside, exactly.
 struct Filling {
     Index node = none;   // a node of the cavity's surface

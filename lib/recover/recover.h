@@ -38,7 +38,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("depth", p.depth, Range{0, 6}, "edges that may be exchanged to make room for exchanging another one");
     visit.field("max_steiner", p.max_steiner, Range{0, 10},
                 "nodes that may be on the shell's edges and triangles at one time where nothing else helps, in shell "
-                "vertices; nearly all leave again");
+                "vertices, and four more; nearly all leave again");
     visit.field(
         "negligible", p.negligible, Range{0, 0.1},
         "auto: a missing edge of less than 5 degrees fold is no loss when the tets' own faces pass this near to it, "

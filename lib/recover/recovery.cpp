@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "geometry/predicates.h"
 #include "recover/deviation.h"
+#include "recover/insert_node.h"
 
 namespace crumple::recover {
 

@@ -24,14 +24,6 @@ struct Split {
     std::vector<Index> origins;  // of those, the shell triangles
 };
 
-// Of the candidates the tets that hold the place in their inside or on their surface.
-[[nodiscard]] std::vector<Index> holders_of(const TetComplex& complex, std::span<const Index> candidates, Vec3 place);
-
-// Puts `place` into the tets: they must hold it, in their inside or on a face or edge that they share. Takes away
-// further tets around it so that few circumspheres hold it, none of them across a facet. Tells the new node, or none
-// when not every tet around it would be positive.
-Index insert_node(TetComplex& complex, const Constraints& constraints, Vec3 place, std::vector<Index> holders);
-
 // Makes parts of what a node lies on. The node may be one that was there before.
 Split split_segment(Constraints& constraints, Index a, Index b, Index node);
 Split split_facet(Constraints& constraints, const Triangle& facet, Index node);

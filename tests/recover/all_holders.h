@@ -3,7 +3,7 @@
 #include <numeric>
 #include <vector>
 
-#include "recover/splits.h"
+#include "recover/insert_node.h"
 
 namespace crumple::recover {
 

@@ -8,7 +8,7 @@
 #include "mesh/shapes.h"
 #include "mesh/validate.h"
 #include "recover/constraints.h"
-#include "recover/splits.h"
+#include "recover/insert_node.h"
 
 using namespace crumple;
 using namespace crumple::recover;

@@ -7,6 +7,7 @@
 #include "exact_volume.h"
 #include "mesh/shapes.h"
 #include "mesh/validate.h"
+#include "recover/insert_node.h"
 
 using namespace crumple;
 using namespace crumple::recover;
