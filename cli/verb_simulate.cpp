@@ -17,6 +17,7 @@
 #include "store/write_file.h"
 #include "study/gltf.h"
 #include "study/load_scene.h"
+#include "study/simulate.h"
 
 namespace crumple::cli {
 

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "study/simulate.h"
+#include "bundle/bundle.h"
+#include "study/run.h"
+#include "study/scene.h"
 
 namespace crumple::study {
 
