@@ -231,7 +231,9 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose 
     const std::uint64_t indices = number(primitive, "indices", none);
     if (position == none || mode < triangles_mode) return 0;
     const std::uint64_t corners = number(accessor_at(document, indices == none ? position : indices), "count", 0);
-    if (mode == triangles_mode) return (corners + 2) / 3;  // the last may lack corners: not read
+    if (mode == triangles_mode && corners % 3 != 0)
+        refuse("a primitive has " + std::to_string(corners) + " corners, which are no whole triangles");
+    if (mode == triangles_mode) return corners / 3;
     return corners >= 3 ? corners - 2 : 0;
 }
 

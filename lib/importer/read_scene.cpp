@@ -172,6 +172,16 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, formats::Purpose p
     return mesh;
 }
 
+// assimp leaves out triangles of vertices that are not there, and a glTF file has no other that it does not deliver.
+void check_triangles(const Scene& scene) {
+    std::uint64_t delivered = 0;
+    for (const SceneMesh& mesh : scene.meshes) delivered += mesh.triangles.size();
+    if (delivered >= scene.expected_triangles) return;
+    refuse(std::to_string(scene.expected_triangles - delivered) + " of its " +
+           std::to_string(scene.expected_triangles) +
+           " triangles refer to vertices that are not there; the file is damaged, export it again");
+}
+
 // Some programs hide a colour a face in STL's spare bits, and a default one in its header: nobody's paint.
 void forget_colors(Scene& scene) {
     for (SceneMesh& mesh : scene.meshes) mesh.colors.clear();
@@ -217,6 +227,7 @@ Scene read_scene(const std::string& path, const formats::Format& format, formats
     scene.extensions = source.scan.extensions;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
+    if (format.id == formats::FormatId::gltf) check_triangles(scene);
     if (format.id == formats::FormatId::stl) forget_colors(scene);
     read_file_space(from, format.id, scene);
     restore(std::move(source.scan), scene);

@@ -240,17 +240,15 @@ TEST(PrescanGltf, WhatMovesTheSurfaceBesidesItsNodesIsCounted) {
     EXPECT_EQ(scan.unread.morphs, 1u);
 }
 
-TEST(PrescanGltf, CornersThatAreNoWholeTriangleAreExpected) {
-    const auto triangles = [](int corners) {
-        return prescan_gltf(gltf(R"("accessors": [{"componentType": 5126, "type": "VEC3", "count": )" +
-                                 std::to_string(corners) + R"(, "bufferView": 0}],
-                                    "buffers": [{"byteLength": 84, "uri": "a.bin"}],
-                                    "bufferViews": [{"buffer": 0, "byteLength": 84}],
-                                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])"))
-            .expected_triangles;
+TEST(PrescanGltf, CornersThatAreNoWholeTriangleAreRefused) {
+    const auto file = [](int corners) {
+        return gltf(R"("accessors": [{"componentType": 5126, "type": "VEC3", "count": )" + std::to_string(corners) +
+                    R"(, "bufferView": 0}], "buffers": [{"byteLength": 84, "uri": "a.bin"}],
+                       "bufferViews": [{"buffer": 0, "byteLength": 84}],
+                       "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])");
     };
-    EXPECT_EQ(triangles(6), 2u);
-    EXPECT_EQ(triangles(7), 3u);
+    EXPECT_EQ(prescan_gltf(file(6)).expected_triangles, 2u);
+    EXPECT_TRUE(contains(gltf_message(file(7)), "has 7 corners, which are no whole triangles"));
 }
 
 TEST(PrescanGltf, TheLengthOfABinaryFileIsWhatItsHeaderSays) {

@@ -167,6 +167,17 @@ TEST(ReadScene, AGltfWithoutScenesIsALibraryOfWhatItHolds) {
     EXPECT_FALSE(has(one.report, "FILE_NO_SCENE"));
 }
 
+TEST(ReadScene, ATriangleOfAGltfThatRefersToNoVertexIsRefused) {
+    const TempFolder folder;
+    std::string bytes = gltf_buffer();
+    bytes[bytes.size() - 2] = 8;
+    (void)folder.write("box.bin", bytes);
+    const auto refusal = refusal_of_file(folder.write("a.gltf", gltf_text("")));
+    EXPECT_EQ(refusal.kind, ErrorKind::bad_input);
+    EXPECT_TRUE(contains(refusal.message, "1 of its 12 triangles refer to vertices that are not there"))
+        << refusal.message;
+}
+
 TEST(ReadScene, AGltfIsWhatItsBytesAreWhateverItIsCalled) {
     const TempFolder folder;
     const std::string scene =
