@@ -114,9 +114,9 @@ private:
 [[noreturn]] void run_child(const Budget& budget, SharedStand& stand,
                             const std::function<int(const Permission&)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const Permission may_finish = [&](double peak_mb) {
+    const Permission may_finish = [&](double peak_mb, const std::string& where) {
         if (budget.memory_mb > 0 && peak_mb > budget.memory_mb)
-            throw Error(ErrorKind::budget, limit_text(budget, false));
+            throw Error(ErrorKind::budget, limit_text(budget, false) + "; the most was in " + where);
         if (!stand.move_to(finishing)) throw Error(ErrorKind::budget, limit_text(budget, true));
     };
     int code = 5;
@@ -132,7 +132,7 @@ private:
 }
 
 int run_within(const Budget& budget, const std::function<int(const Permission&)>& work) {
-    if (!budget.is_limited()) return work([](double) {});
+    if (!budget.is_limited()) return work([](double, const std::string&) {});
     SharedStand stand;
     std::fflush(nullptr);
     const pid_t child = fork();

@@ -3,6 +3,7 @@
 // inside it has to look at a clock; and since a file is put in place by one rename, it is there whole or not at all.
 #pragma once
 #include <functional>
+#include <string>
 
 namespace crumple::pipeline {
 
@@ -14,8 +15,8 @@ struct Budget {
 };
 
 // To be called by the work right before it puts its result in place: from then on it may finish. Throws Error(budget)
-// when it is too late or `peak_mb` is too much.
-using Permission = std::function<void(double peak_mb)>;
+// when it is too late or `peak_mb` is too much; `where` is what took the most.
+using Permission = std::function<void(double peak_mb, const std::string& where)>;
 
 // Runs work, in a child process when the budget is limited, and returns what it returned. stdout and stderr are shared.
 // Throws Error(budget) when the work was ended, Error(internal) when it crashed.

@@ -14,10 +14,10 @@ namespace crumple::pipeline {
 
 namespace {
 
-double peak_of(const std::vector<StageRun>& runs) {
-    double peak = 0;
-    for (const StageRun& run : runs) peak = std::max(peak, run.usage.peak_memory_mb);
-    return peak;
+const StageRun& largest_of(const std::vector<StageRun>& runs) {
+    return *std::max_element(runs.begin(), runs.end(), [](const StageRun& a, const StageRun& b) {
+        return a.usage.peak_memory_mb < b.usage.peak_memory_mb;
+    });
 }
 
 // From here to the next call the report says where it would have stopped.
@@ -76,9 +76,10 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
     report.output.sha256 = store::to_hex(store::sha256(image));
     if (request.checks_determinism) check_determinism(recipe, request, image, report);
     report.usage = meter.read();
-    report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, peak_of(report.stages));
+    const StageRun& largest = largest_of(report.stages);
+    report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, largest.usage.peak_memory_mb);
     enter(report, request, "write");
-    if (request.may_finish) request.may_finish(report.usage.peak_memory_mb);
+    if (request.may_finish) request.may_finish(report.usage.peak_memory_mb, largest.name);
     if (report.stages.back().is_rejected()) {
         report.output.is_rejected = true;
         report.stopped_in = report.stages.back().name;
