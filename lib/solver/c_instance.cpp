@@ -289,11 +289,14 @@ crumple_status crumple_skin(const crumple_instance* instance, uint32_t visual, c
     return CRUMPLE_OK;
 }
 
-crumple_status crumple_read_sensor(crumple_instance* instance, uint32_t sensor, float dt, crumple_reading* reading) {
+crumple_status crumple_read_sensor(crumple_instance* instance, uint32_t sensor, const crumple_carrier* carrier,
+                                   float dt, crumple_reading* reading) {
     if (!has_sensor(instance, sensor) || reading == nullptr) return CRUMPLE_BAD_ARGUMENT;
+    const CarrierMotion motion = carrier ? in(*carrier) : CarrierMotion{};
+    if (!is_usable(motion)) return CRUMPLE_BAD_ARGUMENT;
     const SensorReading r =
         read_sensor(instance->model->model, instance->state, view_of(sensor_of(instance->model->blob, sensor)),
-                    instance->sensors.get()[sensor], dt);
+                    instance->sensors.get()[sensor], dt, motion);
     const Quaternion q = r.orientation;
     *reading = {{q.x, q.y, q.z, q.w}, out(r.origin), out(r.velocity),
                 out(r.acceleration),  r.deformation, r.plastic_strain};

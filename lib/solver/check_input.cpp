@@ -20,10 +20,8 @@ bool is_rotation(Quaternion q) {
     return size > 0 && std::isfinite(size);
 }
 
-bool is_motion(const CarrierMotion& c, bool has_inertia) {
-    return is_rotation(c.orientation) && are_numbers(c.position) && are_numbers(c.velocity) &&
-           are_numbers(c.angular_velocity) &&
-           (!has_inertia || (are_numbers(c.acceleration) && are_numbers(c.angular_acceleration)));
+bool are_accelerations(const CarrierMotion& c) {
+    return are_numbers(c.acceleration) && are_numbers(c.angular_acceleration);
 }
 
 bool has_shape(const Obstacle& o) {
@@ -52,8 +50,14 @@ bool are_limits(const SleepSettings& s) {
 
 bool is_usable(Vec3f v) noexcept { return are_numbers(widen(v)); }
 
+bool is_usable(const CarrierMotion& c) noexcept {
+    return is_rotation(c.orientation) && are_numbers(c.position) && are_numbers(c.velocity) &&
+           are_numbers(c.angular_velocity);
+}
+
 bool is_usable(const InstanceInput& input) noexcept {
-    return is_motion(input.carrier, input.has_inertia) && are_numbers(input.gravity) && are_limits(input.sleep) &&
+    return is_usable(input.carrier) && (!input.has_inertia || are_accelerations(input.carrier)) &&
+           are_numbers(input.gravity) && are_limits(input.sleep) &&
            std::all_of(input.obstacles.begin(), input.obstacles.end(), is_obstacle) &&
            std::all_of(input.hits.begin(), input.hits.end(),
                        [](const Hit& hit) { return are_numbers(hit.position) && are_numbers(hit.momentum); });

@@ -12,6 +12,9 @@ inline constexpr double largest_number = 1e18;
 // True of numbers that are finite and no larger than that.
 [[nodiscard]] bool is_usable(Vec3f v) noexcept;
 
+// Orientation, place and velocities; the accelerations are looked at where they count.
+[[nodiscard]] bool is_usable(const CarrierMotion& motion) noexcept;
+
 // What a sleeping body looks at too: carrier, gravity, sleep settings, obstacles and hits.
 [[nodiscard]] bool is_usable(const InstanceInput& input) noexcept;
 

@@ -279,6 +279,8 @@ crumple_status crumple_skin(const crumple_instance* instance, uint32_t visual, c
 
 /* ---- Sensors. ---- */
 
+/* In the carrier's frame. The acceleration is that of the place in the world, along the carrier's axes, mean since the
+ * last reading: the carrier's own is in it, so a locked part feels the crash too. Gravity is not taken out. */
 typedef struct crumple_reading {
     crumple_quaternion orientation;
     crumple_vec3f origin;
@@ -288,8 +290,10 @@ typedef struct crumple_reading {
     float plastic_strain;
 } crumple_reading;
 
-/* dt: since the last reading of this sensor of this instance. */
-crumple_status crumple_read_sensor(crumple_instance* instance, uint32_t sensor, float dt, crumple_reading* reading);
+/* dt: since the last reading of this sensor of this instance. carrier: as it is now, a free one with the load of the
+ * step in its velocities; its accelerations are not used. Null: it stands still. Refused where a step would refuse it. */
+crumple_status crumple_read_sensor(crumple_instance* instance, uint32_t sensor, const crumple_carrier* carrier,
+                                   float dt, crumple_reading* reading);
 
 /* On when the value reaches `on`, off when it falls below `off`. 1 when it just went on, else 0. */
 int crumple_trigger(crumple_instance* instance, uint32_t sensor, float value, float on, float off);

@@ -49,6 +49,12 @@ float deformation_of(const Cluster& c, const Mat3& turn) {
     return det > 0 ? norm((c.mixed - turn * c.rest) * (transpose(cofactor(rest)) * (1 / det))) : 0;
 }
 
+// Its change is all acceleration there is: the carrier's, Euler's, centripetal, Coriolis and the nodes' own.
+Vec3 world_velocity(const Cluster& c, const CarrierMotion& carrier, const Frame& frame) {
+    const Vec3 arm = frame.to_world(widen(c.centre));
+    return carrier.velocity + cross(carrier.angular_velocity, arm) + frame.to_world(widen(c.velocity));
+}
+
 float largest_plastic_strain(const Model& model, const State& state, const SensorView& s) {
     float largest = 0;
     for (const Index node : s.node) {
@@ -78,18 +84,20 @@ const char* first_problem(const SensorView& v, std::size_t node_count) {
 }
 
 SensorReading read_sensor(const Model& model, const State& state, const SensorView& sensor, SensorMemory& memory,
-                          float dt) noexcept {
+                          float dt, const CarrierMotion& carrier) noexcept {
     const Cluster c = gather(model, state, sensor);
     const Mat3 turn = turn_of(c, to_matrix(memory.turn));
     SensorReading reading;
     reading.orientation = to_quaternion(turn * Mat3{sensor.rest_axes});
     reading.origin = c.centre + turn * (sensor.rest_origin - c.rest_centre);
     reading.velocity = c.velocity;
-    if (memory.has_read && dt > 0) reading.acceleration = (c.velocity - memory.velocity) / dt;
+    const Frame frame(carrier);
+    const Vec3 moving = world_velocity(c, carrier, frame);
+    if (memory.has_read && dt > 0) reading.acceleration = frame.vector(moving - memory.world_velocity) / dt;
     reading.deformation = deformation_of(c, turn);
     reading.plastic_strain = largest_plastic_strain(model, state, sensor);
     memory.turn = to_quaternion(turn);
-    memory.velocity = c.velocity;
+    memory.world_velocity = moving;
     memory.has_read = true;
     return reading;
 }

@@ -8,6 +8,7 @@
 
 #include "solver/body.h"
 #include "solver/instance.h"
+#include "solver/sensor.h"
 
 namespace crumple::solver::test {
 namespace {
@@ -187,6 +188,47 @@ TEST_P(CarrierInertia, TheSameCrashLeavesTheSameDentsAnywhere) {
     EXPECT_LT(farthest(here.body, crash({}, {0, 0, 100}, upright, GetParam()).body), 1e-4 * size);
     EXPECT_LT(farthest(here.body, crash({}, {-100, 0, 0}, upright, GetParam()).body), 1e-4 * size);
     EXPECT_LT(farthest(here.body, crash({10000, 0, 0}, {-60, 0, 80}, leaning, GetParam()).body), 1e-4 * size);
+}
+
+// The engine block is locked: in the frame it never moves, in the world it takes the whole crash.
+TEST(Carrier, ASensorOnALockedBlockReadsTheCarriersDeceleration) {
+    Rider rider(bumper(dented()), true);
+    rider.motion.orientation = leaning;
+    const Frame start(rider.motion);
+    const Vec3 ahead = start.to_world({-1, 0, 0});
+    rider.motion.velocity = ahead * 15;
+    Obstacle wall;
+    wall.axis = ahead * -1;
+    wall.position = ahead;
+    BundleSensor block;
+    for (Index i = 0; i < rider.body.node_count(); ++i) {
+        if (rider.body.bundle.locked[i]) block.node.push_back(i);
+    }
+    block.weight.assign(block.node.size(), 1 / static_cast<float>(block.node.size()));
+    block.rest_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    SensorMemory memory;
+    InstanceInput input = in_space();
+    input.obstacles = {&wall, 1};
+    const auto read = [&] {
+        return read_sensor(rider.body.model, rider.body.state, view_of(block), memory, input.dt, rider.motion);
+    };
+    const Vec3 last = rider.motion.velocity;
+    read();
+    Vec3 gained;
+    float hardest = 0;
+    for (int i = 0; i < 60; ++i) {
+        rider.step(input);
+        const SensorReading r = read();
+        hardest = std::max(hardest, length(r.acceleration));
+        gained += Frame(rider.motion).to_world(widen(r.acceleration)) * static_cast<double>(input.dt);
+        EXPECT_EQ(length(r.velocity), 0);
+    }
+    EXPECT_GT(hardest, 100);
+    // The block's middle lies 0.6 m behind the origin and turns little, but it turns.
+    const Frame end(rider.motion);
+    const Vec3 middle = end.to_world({0.6, 0, 0});
+    EXPECT_LT(length(gained - (rider.motion.velocity + cross(rider.motion.angular_velocity, middle) - last)), 1e-3);
+    EXPECT_LT(dot(rider.motion.velocity, ahead), 5);
 }
 
 TEST(Carrier, LockedNodesStandStillInTheFrame) {

@@ -230,6 +230,60 @@ TEST(Sensor, MeasuresAccelerationAndPlasticStrain) {
     EXPECT_GT(read_sensor(body.model, body.state, view_of(sensor), memory, input.dt).plastic_strain, 1e-4f);
 }
 
+namespace {
+
+// About z, under way.
+CarrierMotion spinning(double angle, double rate) {
+    CarrierMotion carrier;
+    carrier.position = {100, 200, 300};
+    carrier.velocity = {30, -20, 10};
+    carrier.orientation = to_quaternion(turn({0, 0, 1}, angle));
+    carrier.angular_velocity = {0, 0, rate};
+    return carrier;
+}
+
+}
+
+TEST(Sensor, OnASpinningCarrierFeelsTheCentripetalPull) {
+    Body body = loose_bar();
+    const BundleSensor tip = sensor_on(body, [](Vec3f p) { return p.x > 1; });
+    const Vec3f arm{tip.rest_origin.x, tip.rest_origin.y, 0};
+    constexpr float rate = 5;
+    constexpr float dt = 1.0f / 1000;
+    SensorMemory memory;
+    for (int i = 0; i < 100; ++i) {
+        const float angle = 0.3f + rate * dt * static_cast<float>(i);
+        const SensorReading r = read_sensor(body.model, body.state, view_of(tip), memory, dt,
+                                            spinning(static_cast<double>(angle), static_cast<double>(rate)));
+        if (i == 0) continue;
+        // Half a step ago, seen along the axes of now: rate dt / 2 off.
+        EXPECT_LT(length(r.acceleration + arm * (rate * rate)), rate * dt * rate * rate * length(arm)) << i;
+    }
+}
+
+// Coriolis, Euler and centripetal parts cancel.
+TEST(Sensor, WhatFliesStraightFeelsNothingWhileItsCarrierTurnsFasterAndFaster) {
+    Body body = loose_bar();
+    const BundleSensor sensor = sensor_on(body, [](Vec3f) { return true; });
+    constexpr double dt = 1.0 / 240;
+    SensorMemory memory;
+    const Vec3 v{1, 2, 3};
+    for (int i = 0; i < 60; ++i) {
+        const double t = dt * i;
+        CarrierMotion carrier = spinning(2 * t + 3 * t * t, 2 + 6 * t);
+        carrier.position = {};
+        carrier.velocity = {};
+        const solver::Frame frame(carrier);
+        body.set_positions([&](Vec3f p) { return frame.point(widen(p) + v * t); });
+        body.set_velocities([&](Vec3f p) { return frame.velocity(widen(p) + v * t, v); });
+        const SensorReading r =
+            read_sensor(body.model, body.state, view_of(sensor), memory, static_cast<float>(dt), carrier);
+        EXPECT_GT(length(r.velocity), 3);
+        // Float keeps 1e-6 of velocities of some m/s, and dt divides their difference.
+        EXPECT_LT(length(r.acceleration), 3e-3f) << i;
+    }
+}
+
 TEST(Sensor, ATriggerHasHysteresis) {
     SensorMemory memory;
     const float values[] = {0, 0.6f, 1, 0.7f, 0.5f, 0.4f, 0.9f, 1.2f};

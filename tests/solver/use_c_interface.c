@@ -65,11 +65,18 @@ static void draw(const crumple_model* model, crumple_instance* body, const crump
 static void read_roof(const crumple_model* model, crumple_instance* body, used_c_interface* used) {
     const uint32_t roof = crumple_find_sensor(model, "roof");
     crumple_reading reading;
-    if (crumple_read_sensor(body, roof, 1.0f / 60, &reading) != CRUMPLE_OK) used->failure = "sensor";
+    crumple_carrier carrier = crumple_default_input().carrier;
+    if (crumple_read_sensor(body, roof, NULL, 1.0f / 60, &reading) != CRUMPLE_OK) used->failure = "sensor";
+    carrier.velocity.x = 1.5;
+    if (crumple_read_sensor(body, roof, &carrier, 0.5f, &reading) != CRUMPLE_OK) used->failure = "sensor that rides";
+    if (!(reading.acceleration.x > 2.999f && reading.acceleration.x < 3.001f)) used->failure = "carrier not felt";
+    carrier.orientation.w = 0;
+    if (crumple_read_sensor(body, roof, &carrier, 0.5f, &reading) != CRUMPLE_BAD_ARGUMENT)
+        used->failure = "a carrier without orientation";
     if (!(reading.deformation > 0)) used->failure = "the sensor felt nothing";
     used->was_triggered = crumple_trigger(body, roof, reading.deformation, 1e-4f, 1e-5f);
     if (crumple_trigger(body, roof, reading.deformation, 1e-4f, 1e-5f) != 0) used->failure = "triggered twice";
-    if (crumple_read_sensor(body, roof + 1, 1, &reading) != CRUMPLE_BAD_ARGUMENT) used->failure = "no such sensor";
+    if (crumple_read_sensor(body, roof + 1, NULL, 1, &reading) != CRUMPLE_BAD_ARGUMENT) used->failure = "no such sensor";
 }
 
 void use_c_interface(const void* blob, size_t size, const crumple_allocator* allocator, const crumple_jobs* jobs,
