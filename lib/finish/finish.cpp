@@ -63,7 +63,7 @@ public:
           guard_(guard),
           work_(mesh),
           budget_(std::uint64_t{params.budget} * mesh.tets.size()),
-          node_budget_(budget_ / 4),
+          node_budget_(budget_ * 3 / 8),
           volume_(params.peel_volume * report.before.volume) {}
 
     void merge_crowded() { report_.operations.contractions += merge_crowded_nodes(work_, guard_, context_); }
@@ -154,9 +154,10 @@ private:
     const SurfaceGuard& guard_;
     WorkMesh work_;
     std::uint64_t budget_;
-    std::uint64_t
-        node_budget_;  // where most tets are bad, nodes would take it all and leave nothing to mend around them
-    double volume_;    // that may still be peeled off
+    // Where most tets are bad, nodes would take it all and leave nothing to mend around them. A coarse mesh of a shell
+    // full of needles wants a third.
+    std::uint64_t node_budget_;
+    double volume_;  // that may still be peeled off
 };
 
 }

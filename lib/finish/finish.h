@@ -15,7 +15,7 @@
 
 namespace crumple::finish {
 
-inline constexpr int version = 4;
+inline constexpr int version = 5;
 
 enum class Mode { none, peel, full };
 inline constexpr EnumName<Mode> mode_names[] = {{Mode::none, "none"}, {Mode::peel, "peel"}, {Mode::full, "full"}};

@@ -84,7 +84,18 @@ private:
         exchange.least = 1;
         for (const Tet& tet : exchange.fresh) exchange.least = std::min(exchange.least, shape_of(mesh_, tet));
         if (exchange.least <= best_.least || !is_of_one_region(mesh_, exchange.old)) return;
+        if (!keeps_marked_edges(exchange)) return;
         if (are_positive(mesh_, exchange.fresh)) std::swap(exchange, best_);
+    }
+
+    // Those by which the node hangs on the flap.
+    [[nodiscard]] bool keeps_marked_edges(const Exchange& exchange) const {
+        const Tet& flap = mesh_.complex.corners(flap_);
+        return std::none_of(flap.begin(), flap.end(), [&](Index v) {
+            return v != node_ && guard_.is_marked(node_, v) &&
+                   std::none_of(exchange.fresh.begin(), exchange.fresh.end(),
+                                [&](const Tet& tet) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
+        });
     }
 
     const WorkMesh& mesh_;

@@ -79,16 +79,33 @@ TEST(Flaps, ALoneTetStays) {
     EXPECT_EQ(clip(work, small::shell_of(mesh)).removed, 0u);
 }
 
+bool has_edge(const Exchange& exchange, Index a, Index b) {
+    return std::any_of(exchange.fresh.begin(), exchange.fresh.end(), [&](const Tet& tet) {
+        return std::find(tet.begin(), tet.end(), a) != tet.end() && std::find(tet.begin(), tet.end(), b) != tet.end();
+    });
+}
+
 TEST(Flaps, APaintedEdgeIsNotSplit) {
     const TetMesh mesh = with_flap(1e-4, 5);
-    Shell shell = shell_below(mesh);
-    shell.locked[0] = shell.locked[1] = 1;
-    WorkMesh work(mesh);
+    Shell shell = small::shell_of(mesh);
     Exchange exchange;
-    ASSERT_TRUE(plan_seat(work, SurfaceGuard(small::shell_of(mesh), {}), 1, 4, 0.01, exchange));
-    const std::vector<Tet> on_edge = exchange.fresh;
-    const bool is_seated = plan_seat(work, SurfaceGuard(shell, {}), 1, 4, 0.01, exchange);
-    EXPECT_TRUE(!is_seated || exchange.fresh != on_edge);
+    ASSERT_TRUE(plan_seat(WorkMesh(mesh), SurfaceGuard(shell, {}), 1, 4, 0.01, exchange));
+    EXPECT_FALSE(has_edge(exchange, 0, 1));
+    shell.locked[0] = shell.locked[1] = 1;
+    EXPECT_FALSE(plan_seat(WorkMesh(mesh), SurfaceGuard(shell, {}), 1, 4, 0.01, exchange));
+}
+
+TEST(Flaps, APaintedEdgeOfTheTipIsNotLost) {
+    // Two tets side by side; the flap on one reaches over the other.
+    const TetMesh mesh = small::mesh_of({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, -0.4, 1e-4}, {0, -1, 0}},
+                                        {{0, 2, 1, 3}, {0, 1, 2, 4}, {0, 1, 5, 3}}, 6);
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    Shell shell = small::shell_of(mesh);
+    Exchange exchange;
+    ASSERT_TRUE(plan_seat(WorkMesh(mesh), SurfaceGuard(shell, {}), 1, 4, 0.01, exchange));
+    EXPECT_FALSE(has_edge(exchange, 4, 2)) << "seated on the other one's face";
+    shell.locked[0] = shell.locked[1] = shell.locked[2] = shell.locked[4] = 1;
+    EXPECT_FALSE(plan_seat(WorkMesh(mesh), SurfaceGuard(shell, {}), 1, 4, 0.01, exchange));
 }
 
 }
