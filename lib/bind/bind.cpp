@@ -72,7 +72,7 @@ double largest_weight(const VisualBinding& binding, Index v) {
     return largest;
 }
 
-VisualReport judge(const VisualBinding& binding, Index owner, const TetMesh& mesh, const Params& params) {
+VisualReport judge(const VisualBinding& binding, const Params& params) {
     VisualReport report;
     report.name = binding.name;
     report.vertices = binding.tet.size();
@@ -81,7 +81,6 @@ VisualReport judge(const VisualBinding& binding, Index owner, const TetMesh& mes
         const double largest = largest_weight(binding, v);
         report.max_weight = std::max(report.max_weight, largest);
         report.extrapolated += largest > params.max_weight;
-        report.bound_wrongly += owner != none && mesh.region[binding.tet[v]] != owner;
         if (binding.inside[v]) continue;
         ++report.outside;
         distances += binding.distance[v];
@@ -152,7 +151,6 @@ void add(Report& report, const VisualReport& visual) {
     report.max_distance = std::max(report.max_distance, visual.max_distance);
     report.max_weight = std::max(report.max_weight, visual.max_weight);
     report.extrapolated += visual.extrapolated;
-    report.bound_wrongly += visual.bound_wrongly;
     report.visuals.push_back(visual);
 }
 
@@ -169,7 +167,7 @@ Result bind_visuals(const Shell& shell, const TetMesh& mesh, std::span<const Vis
         const Index owner = choose_owner(visual, owners, result.report.findings);
         if (!visual.positions.empty()) owners.prepare(owner);
         result.bindings.push_back(bind_one(visual, owner, owners, context));
-        VisualReport report = judge(result.bindings.back(), owner, mesh, params);
+        VisualReport report = judge(result.bindings.back(), params);
         if (owner != none) report.owner = visual.shell_component;
         add(result.report, report);
         if (report.extrapolated > 0) {

@@ -42,7 +42,6 @@ struct VisualReport {
     double mean_distance = 0;
     double max_weight = 0;
     std::uint64_t extrapolated = 0;
-    std::uint64_t bound_wrongly = 0;
 };
 
 template <class Visitor, FieldsOf<VisualReport> P>
@@ -55,9 +54,6 @@ void describe(Visitor& visit, P& p) {
     visit.field("mean_distance", p.mean_distance, "of the outside vertices from their tets, metres");
     visit.field("max_weight", p.max_weight, "largest |weight|; 1 or less inside");
     visit.field("extrapolated", p.extrapolated, "vertices with a |weight| beyond max_weight");
-    visit.field(
-        "bound_wrongly", p.bound_wrongly,
-        "vertices whose tet belongs to another shell although a tet of the owner contains them or is no farther away");
 }
 
 struct Report {
@@ -66,7 +62,6 @@ struct Report {
     double max_distance = 0;
     double max_weight = 0;
     std::uint64_t extrapolated = 0;
-    std::uint64_t bound_wrongly = 0;
     std::vector<VisualReport> visuals;
     std::vector<Finding> findings;  // BIND_*
 };
@@ -78,7 +73,6 @@ void describe(Visitor& visit, P& p) {
     visit.field("max_distance", p.max_distance, "of an outside vertex from its tet, metres");
     visit.field("max_weight", p.max_weight, "largest |weight|; 1 or less inside");
     visit.field("extrapolated", p.extrapolated, "vertices with a |weight| beyond max_weight");
-    visit.field("bound_wrongly", p.bound_wrongly, "vertices on a tet of another shell without need");
     visit.field("visuals", p.visuals, "by visual mesh");
     visit.field("findings", p.findings, "what a person should know");
 }
