@@ -38,9 +38,8 @@ void check_given(const std::string& path) {
         case Ending::refused:
             break;
     }
-    const auto kind = static_cast<ErrorKind>(outcome.error_kind);
-    const bool is_ours = kind == ErrorKind::internal || kind == ErrorKind::file;
-    throw Error(is_ours ? kind : ErrorKind::bad_input, path + ": " + outcome.message);
+    const bool is_ours = outcome.kind == ErrorKind::internal || outcome.kind == ErrorKind::file;
+    throw Error(is_ours ? outcome.kind : ErrorKind::bad_input, path + ": " + outcome.message);
 }
 
 // What the work answers in a child process.

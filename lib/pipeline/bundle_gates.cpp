@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cull/cull.h"
 #include "report/json_reader.h"
 
 namespace crumple::pipeline {
@@ -14,17 +15,14 @@ const StageRecord* find_record(const std::vector<StageRecord>& records, std::str
     return record == records.end() ? nullptr : &*record;
 }
 
-double number_in(const report::Json& json, const char* key) {
-    const report::Json* value = json.find(key);
-    return value ? value->number() : 0;
-}
+constexpr report::ReadRules of_records{.kind = ErrorKind::bad_input, .allows_null = true};
 
 gates::Solid solid_of(const std::vector<StageRecord>& records) {
-    const StageRecord* cull = find_record(records, "cull");
-    if (!cull) return {};
-    const report::Json json = report::parse_json(cull->report.text, "report of cull", {.kind = ErrorKind::bad_input});
-    return {number_in(json, "shell_volume"), number_in(json, "leak_share"),
-            static_cast<std::uint64_t>(std::max(0.0, number_in(json, "shell_pieces")))};
+    const StageRecord* record = find_record(records, "cull");
+    if (!record || record->version != cull::version) return {};
+    cull::Report told;
+    report::read_json(record->report.text, "report of cull", report::Described::of(told), of_records);
+    return {told.shell_volume, told.leak_share, told.shell_pieces};
 }
 
 }
@@ -36,10 +34,9 @@ gates::Report judge_cooked(const Workspace& work, const gates::Params& params, c
 std::optional<ToldGates> told_gates(const std::vector<StageRecord>& records) {
     const StageRecord* record = find_record(records, "gates");
     if (!record || record->version != gates::version) return std::nullopt;
-    const report::ReadRules rules{.kind = ErrorKind::bad_input, .allows_null = true};
     ToldGates told;
-    report::read_json(record->params.text, "parameters of gates", report::Described::of(told.params), rules);
-    report::read_json(record->report.text, "report of gates", report::Described::of(told.report), rules);
+    report::read_json(record->params.text, "parameters of gates", report::Described::of(told.params), of_records);
+    report::read_json(record->report.text, "report of gates", report::Described::of(told.report), of_records);
     return told;
 }
 

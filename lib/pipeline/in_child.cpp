@@ -22,9 +22,8 @@ std::string run_text_in_child(const std::function<std::string()>& work, const st
     if (outcome.ending == Ending::ok)
         return {reinterpret_cast<const char*>(outcome.answer.data()), outcome.answer.size()};
     if (outcome.ending != Ending::refused) throw Error(ErrorKind::difference, name + ": damaged: " + outcome.message);
-    const auto kind = static_cast<ErrorKind>(outcome.error_kind);
-    if (kind == ErrorKind::usage) throw Error(ErrorKind::bad_input, name + ": " + outcome.message);
-    throw Error(kind == ErrorKind::file ? kind : ErrorKind::difference, outcome.message);
+    if (outcome.kind == ErrorKind::usage) throw Error(ErrorKind::bad_input, name + ": " + outcome.message);
+    throw Error(outcome.kind == ErrorKind::file ? ErrorKind::file : ErrorKind::difference, outcome.message);
 }
 
 }

@@ -105,10 +105,8 @@ Workspace read_work_file(const std::string& path) {
         },
         {});
     if (outcome.ending == sandbox::Ending::ok) return read_work_image(std::move(image), path);
-    const auto kind =
-        outcome.ending == sandbox::Ending::refused ? static_cast<ErrorKind>(outcome.error_kind) : ErrorKind::bad_input;
-    throw Error(kind,
-                outcome.ending == sandbox::Ending::refused ? outcome.message : path + ": damaged: " + outcome.message);
+    if (outcome.ending == sandbox::Ending::refused) throw Error(outcome.kind, outcome.message);
+    throw Error(ErrorKind::bad_input, path + ": damaged: " + outcome.message);
 }
 
 }

@@ -82,17 +82,17 @@ bool write_all(int fd, const void* data, std::size_t size) {
     return true;
 }
 
-[[noreturn]] void answer(int fd, Ending ending, int error_kind, const void* data, std::size_t size) {
+[[noreturn]] void answer(int fd, Ending ending, ErrorKind kind, const void* data, std::size_t size) {
     FrameHeader header;
     header.ending = static_cast<std::uint32_t>(ending);
-    header.error_kind = static_cast<std::uint32_t>(error_kind);
+    header.error_kind = static_cast<std::uint32_t>(kind);
     header.size = size;
     const bool written = write_all(fd, &header, sizeof header) && write_all(fd, data, size);
     _exit(written ? 0 : 1);
 }
 
 [[noreturn]] void refuse(int fd, ErrorKind kind, const char* message) {
-    answer(fd, Ending::refused, static_cast<int>(kind), message, std::char_traits<char>::length(message));
+    answer(fd, Ending::refused, kind, message, std::char_traits<char>::length(message));
 }
 
 }
@@ -109,11 +109,11 @@ void be_the_child(int pipe_fd, int parent_pid, const std::function<std::vector<s
     }
     try {
         const std::vector<std::byte> bytes = function();
-        answer(pipe_fd, Ending::ok, 0, bytes.data(), bytes.size());
+        answer(pipe_fd, Ending::ok, {}, bytes.data(), bytes.size());
     } catch (const Error& error) {
         refuse(pipe_fd, error.kind(), error.what());
     } catch (const std::bad_alloc&) {
-        answer(pipe_fd, Ending::out_of_memory, 0, nullptr, 0);
+        answer(pipe_fd, Ending::out_of_memory, {}, nullptr, 0);
     } catch (const std::exception& error) {
         refuse(pipe_fd, ErrorKind::bad_input, error.what());
     } catch (...) {

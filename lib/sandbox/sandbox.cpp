@@ -209,6 +209,12 @@ std::optional<Outcome> stopped(Progress progress, const Limits& limits) {
     return std::nullopt;
 }
 
+// What a child says may be anything.
+ErrorKind kind_of(const FrameHeader& header) {
+    constexpr auto last = static_cast<std::uint32_t>(ErrorKind::difference);
+    return header.error_kind <= last ? static_cast<ErrorKind>(header.error_kind) : ErrorKind::bad_input;
+}
+
 Outcome receive(int fd, Child& child, const Limits& limits) {
     const auto start = Clock::now();
     std::vector<std::byte> bytes;
@@ -231,7 +237,7 @@ Outcome receive(int fd, Child& child, const Limits& limits) {
     if (ending == Ending::out_of_memory) return out_of_memory(limits);
     Outcome outcome;
     outcome.ending = ending == Ending::ok ? Ending::ok : Ending::refused;
-    outcome.error_kind = static_cast<int>(header.error_kind);
+    outcome.kind = kind_of(header);
     if (outcome.ending == Ending::ok) {
         outcome.answer = std::move(bytes);
     } else {

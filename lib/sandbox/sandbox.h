@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
+
 namespace crumple::sandbox {
 
 struct Limits {
@@ -19,9 +21,9 @@ enum class Ending { ok, refused, crashed, out_of_time, out_of_memory };
 
 struct Outcome {
     Ending ending = Ending::ok;
-    std::vector<std::byte> answer;  // what the function returned, for ok
-    std::string message;            // what an Error said (refused), the signal's name, the limit met
-    int error_kind = 0;             // the ErrorKind of a refused Error; any other exception counts as bad_input
+    std::vector<std::byte> answer;          // what the function returned, for ok
+    std::string message;                    // what an Error said (refused), the signal's name, the limit met
+    ErrorKind kind = ErrorKind::bad_input;  // of a refused Error; any other exception counts as bad_input
 };
 
 // The child talks to nobody: its stdin, stdout and stderr are /dev/null, and it ends with us. It runs no destructor of

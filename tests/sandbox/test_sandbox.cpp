@@ -79,7 +79,7 @@ TEST(Sandbox, ErrorKeepsKindAndMessage) {
     const auto refuse = []() -> Bytes { throw Error(ErrorKind::difference, "damaged at byte 7"); };
     const Outcome outcome = run_in_child(refuse, {});
     EXPECT_EQ(outcome.ending, Ending::refused);
-    EXPECT_EQ(outcome.error_kind, static_cast<int>(ErrorKind::difference));
+    EXPECT_EQ(outcome.kind, ErrorKind::difference);
     EXPECT_EQ(outcome.message, "damaged at byte 7");
 }
 
@@ -87,7 +87,7 @@ TEST(Sandbox, ForeignExceptionIsRefusedAsBadInput) {
     const auto refuse = []() -> Bytes { throw std::runtime_error("odd header"); };
     const Outcome outcome = run_in_child(refuse, {});
     EXPECT_EQ(outcome.ending, Ending::refused);
-    EXPECT_EQ(outcome.error_kind, static_cast<int>(ErrorKind::bad_input));
+    EXPECT_EQ(outcome.kind, ErrorKind::bad_input);
     EXPECT_EQ(outcome.message, "odd header");
     const auto oddity = []() -> Bytes { throw 7; };
     EXPECT_EQ(run_in_child(oddity, {}).ending, Ending::refused);
