@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "store/read_file.h"
@@ -43,6 +45,12 @@ std::vector<std::string> expand_arguments(int count, const char* const* words) {
             append_word(word, arguments);
     }
     return arguments;
+}
+
+bool asks_for_json_lines(const std::vector<std::string>& arguments) {
+    constexpr std::string_view words[] = {"--progress", "json"};
+    return std::find(arguments.begin(), arguments.end(), "--progress=json") != arguments.end() ||
+           std::search(arguments.begin(), arguments.end(), std::begin(words), std::end(words)) != arguments.end();
 }
 
 }

@@ -10,4 +10,7 @@ namespace crumple::cli {
 // line, blank lines skipped. A file may not name further files. Throws Error(file).
 [[nodiscard]] std::vector<std::string> expand_arguments(int count, const char* const* words);
 
+// `--progress json` is among the arguments. For errors of a parser that did not come that far.
+[[nodiscard]] bool asks_for_json_lines(const std::vector<std::string>& arguments);
+
 }

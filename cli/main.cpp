@@ -42,7 +42,7 @@ int print_version(const Session& session, bool as_json) {
 }
 
 // CLI11 has exit codes of its own; ours are 0 for help and 1 for everything it refuses.
-int parse(CLI::App& app, const std::vector<std::string>& arguments, const Session& session) {
+int parse(CLI::App& app, const std::vector<std::string>& arguments, Session& session) {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     try {
         app.parse(reversed);
@@ -51,6 +51,7 @@ int parse(CLI::App& app, const std::vector<std::string>& arguments, const Sessio
         app.exit(request);
         return -1;
     } catch (const CLI::ParseError& error) {
+        if (crumple::cli::asks_for_json_lines(arguments)) session.console.progress = crumple::cli::ProgressStyle::json;
         session.console.error(crumple::cli::explain_parse_error(app, error, arguments),
                               "see " + crumple::cli::understood_call(app) + " --help\n");
         return crumple::cli::exit_usage;

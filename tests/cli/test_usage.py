@@ -48,6 +48,13 @@ class Usage(program.Case):
         self.assertEqual(text, f"crumple {info['version']}\n")
         self.assertEqual([stage["name"] for stage in info["stages"]], VERBS[6:])
 
+    def test_a_program_gets_a_wrong_call_as_a_line_of_json(self):
+        for words in [["cok", "--progress", "json"], ["--bogus", "cook", "--progress=json"]]:
+            line, = self.fails(program.run(*words), 1).stderr.splitlines()
+            event = json.loads(line)
+            self.assertEqual(event["event"], "error", words)
+            self.assertIn("has no option" if "--bogus" in words else "no verb", event["message"])
+
     def test_a_wrong_choice_or_number_is_a_wrong_call(self):
         self.fails(self.cook("--layout", "continuous"), 1, "--layout", "chunked, contiguous", "nearest: 'contiguous'")
         self.fails(self.cook("--jobs", "-1"), 1, "--jobs")
