@@ -26,5 +26,5 @@ The report:  $PWD/$out/car.report.json
 The program: $PWD/$crumple
 
 The bundle is HDF5: ParaView opens it as it is, any HDF5 library reads it (lib/bundle/FORMAT.md).
-Next: README.md, "A first cook explained" and "How to paint locks".
+Next: README.md, "A first cook, explained" and "How to paint locks".
 END

@@ -26,7 +26,7 @@ struct Stage {
     report::OwnedDescribed (*run)(Workspace& workspace, const report::OwnedDescribed& params, const Context& context);
 };
 
-// import sample delaunay relax recover cull finish bind bake
+// import sample delaunay relax recover cull finish bind bake gates
 [[nodiscard]] std::span<const Stage> stage_table();
 
 // Throws Error(usage) that names the nearest stage.

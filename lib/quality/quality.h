@@ -17,8 +17,6 @@
 
 namespace crumple::quality {
 
-inline constexpr int version = 1;
-
 // Of T tets. p1 and p5 are percentiles over tets of the tet's smallest dihedral angle. All 0 when there are no tets.
 struct Summary {
     std::uint32_t tets = 0;

@@ -37,7 +37,6 @@ int edge_in_way(const TetComplex& complex, const Goal& goal, Index p, Index q) {
     return pierces(complex.position(p), complex.position(q), a, b, complex.position(goal.c));
 }
 
-// 6 sqrt(2) V / lrms^3: 1 for a regular tet.
 double quality_of(const TetComplex& complex, const Tet& tet) {
     const Vec3 a = complex.position(tet[0]);
     const Vec3 b = complex.position(tet[1]) - a;

@@ -92,7 +92,7 @@ private:
     std::vector<Cell> table_;
 };
 
-// Volume over the cube of the root mean square edge: 1 for a regular tet, positive for a positive one.
+// 6 sqrt(2) V / lrms^3, lrms the root mean square edge: 1 for a regular tet, positive for a positive one.
 [[nodiscard]] double quality_of(const TetComplex& complex, const Tet& tet);
 
 }
