@@ -50,7 +50,7 @@ struct Run {
     std::uint32_t driven_inside_out = 0;  // of these, without a free node: handles cross each other or locked nodes
     std::uint32_t steps = 0;
     std::uint32_t warned_steps = 0;
-    StepTimes times;  // of steps without drawing; no part of any file
+    StepTimes times;  // of steps awake, without drawing; no part of any file
     std::vector<Finding> findings;
 };
 

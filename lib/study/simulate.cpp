@@ -66,7 +66,8 @@ Run simulate(const Bundle& cooked, const Scene& scene, const Context& context) {
     std::vector<double> ms;
     for (std::uint32_t i = 0; i < run.steps; ++i) {
         context.stop_if_cancelled();
-        ms.push_back(step_and_time(player, i * dt, dt));
+        const double step_ms = step_and_time(player, i * dt, dt);
+        if (!player.report().is_asleep) ms.push_back(step_ms);
         const std::uint32_t warnings = player.report().step.warnings;
         if ((warnings & solver::step_bad_input) != 0) leave_the_finite(i * dt);
         run.warned_steps += warnings != 0;
