@@ -30,6 +30,9 @@ void add_all(bool quick) {
     add("asleep_us", add_asleep);
     add("skin_100k", add_skin);
     add("cars", [quick](Rows& rows) { add_cars(rows, quick); });
+    for (const std::string mode : {"none", "full"}) {
+        add("crash_" + mode, [mode](Rows& rows) { add_crash(rows, mode); });
+    }
     if (!quick) {
         add("load_50k", [](Rows& rows) { add_load(rows, make_bar(BarSize::large)); });
         add("two_threads_50k", [](Rows& rows) { add_two_threads(rows, make_bar(BarSize::large), 48); });

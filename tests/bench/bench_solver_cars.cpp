@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sample car in a crash, alone and in company, against the 2 ms that a game may give it.
-#include <algorithm>
 #include <optional>
 
 #include "bench/bench_solver_rows.h"
@@ -13,11 +12,6 @@ namespace {
 
 constexpr int frames = 60;  // a second: the nose meets the pole in the first of them
 constexpr int car_iterations = 20;
-
-double percentile(std::vector<double> values, std::size_t percent) {
-    std::sort(values.begin(), values.end());
-    return values[(values.size() - 1) * percent / 100];
-}
 
 // One car; the conventional pipeline makes the same steps from the same states, without contacts and carrier.
 void add_one_car(Rows& rows, const CarModel& shared, int crashes) {

@@ -18,6 +18,12 @@ inline Row row(const std::string& name, const std::string& input, double value, 
     return {name, input, {{"value", value}, {"unit", unit}, {"ratio", ratio}}};
 }
 
+// REQUIRES: not empty.
+inline double percentile(std::vector<double> values, std::size_t percent) {
+    std::sort(values.begin(), values.end());
+    return values[(values.size() - 1) * percent / 100];
+}
+
 // One thread's work takes this on a machine that does nothing else.
 template <class Work>
 double processor_seconds(Work&& work, double (*clock)() = cpu_seconds) {
@@ -65,5 +71,7 @@ void add_load(Rows& rows, const Bar& bar);
 void add_two_threads(Rows& rows, const Bar& bar, std::uint32_t iterations);
 // bench_solver_cars.cpp
 void add_cars(Rows& rows, bool quick);
+// bench_solver_crash.cpp
+void add_crash(Rows& rows, const std::string& finish_mode);
 
 }

@@ -18,28 +18,28 @@
 
 namespace crumple::bench {
 
-std::filesystem::path quality_folder() {
+std::filesystem::path data_folder() {
     const char* folder = std::getenv("CRUMPLE_DATA");
-    return std::filesystem::path(folder ? folder : "../shared/data") / "quality";
+    return folder ? folder : "../shared/data";
 }
 
 int run_on_shells(int argc, char** argv, void (*add_all)(bool quick)) {
-    if (!std::filesystem::is_directory(quality_folder())) {
-        std::cerr << quality_folder().string() << " is not there; set CRUMPLE_DATA to the folder of test shells\n";
+    if (!std::filesystem::is_directory(data_folder() / "quality")) {
+        std::cerr << (data_folder() / "quality").string()
+                  << " is not there; set CRUMPLE_DATA to the folder of test shells\n";
         return 2;
     }
     return run(argc, argv, add_all);
 }
 
-MeshCase::MeshCase(const std::string& name) : name_(name) {
-    imported_.sources.shell = path().string();
+MeshCase::MeshCase(const std::string& name, const std::string& folder)
+    : path_(data_folder() / folder / (name + ".obj")), name_(name) {
+    imported_.sources.shell = path_.string();
     const pipeline::Stage& import = pipeline::find_stage("import");
     (void)pipeline::run_stage(import, import.make_params(), imported_, 1);
     interior_ = std::make_unique<ShellInterior>(imported_.asset->shell);
     volume_ = solid_volume();
 }
-
-std::filesystem::path MeshCase::path() const { return quality_folder() / (name_ + ".obj"); }
 
 std::optional<Made> MeshCase::cook(const std::vector<std::string>& settings) const {
     try {
@@ -47,9 +47,16 @@ std::optional<Made> MeshCase::cook(const std::vector<std::string>& settings) con
         for (const std::string& setting : settings) pipeline::apply_setting(recipe, setting);
         pipeline::Workspace work = imported_;
         Made made;
+        made.delaunay_relax_cull_s = 0;
         const auto table = pipeline::stage_table();
         for (std::size_t i = 1; i < pipeline::stage_index("bind"); ++i) {
-            made.cpu_s += pipeline::run_stage(table[i], recipe.params[i], work, 1).usage.cpu_s;
+            const pipeline::Stage& stage = table[i];
+            const double cpu_s = pipeline::run_stage(stage, recipe.params[i], work, 1).usage.cpu_s;
+            made.cpu_s += cpu_s;
+            if (stage.name == "finish") made.finish_s = cpu_s;
+            if (stage.name == "delaunay" || stage.name == "relax" || stage.name == "cull") {
+                *made.delaunay_relax_cull_s += cpu_s;
+            }
         }
         made.interior_points = work.points->positions.size() - work.points->shell_vertex_count;
         made.mesh = std::move(*work.tets);
@@ -93,9 +100,11 @@ std::vector<std::pair<std::string, Row::Value>> MeshCase::figures(const std::opt
     const TetMesh& mesh = made ? made->mesh : empty;
     const quality::Summary shape = quality::summarize(mesh);
     const quality::Cost cost = quality::measure_cost(mesh.positions, mesh.tets);
+    const std::vector<Triangle> faces = boundary_of(mesh).faces;
+    const NonManifold touching = non_manifold(faces);
     cull::Fidelity fidelity;
     if (made) {
-        fidelity = cull::measure_fidelity(imported_.asset->shell, *interior_, mesh.positions, boundary_of(mesh).faces,
+        fidelity = cull::measure_fidelity(imported_.asset->shell, *interior_, mesh.positions, faces,
                                           cull::Params().hausdorff_samples, {});
     }
     const double diagonal = fidelity.diagonal > 0 ? fidelity.diagonal : 1;
@@ -110,7 +119,11 @@ std::vector<std::pair<std::string, Row::Value>> MeshCase::figures(const std::opt
     add("volume_error", (shape.volume - volume_) / volume_);
     add("hausdorff_out", fidelity.out.distance / diagonal);
     add("hausdorff_in", fidelity.in.distance / diagonal);
+    add("inverted", shape.inverted);
+    add("non_manifold", static_cast<double>(touching.edges.size() + touching.vertices.size()));
     add("cpu_s", made ? made->cpu_s : 0);
+    figures.push_back({"delaunay_relax_cull_s", made ? made->delaunay_relax_cull_s : std::nullopt});
+    figures.push_back({"finish_s", made ? made->finish_s : std::nullopt});
     return figures;
 }
 

@@ -12,7 +12,6 @@
 namespace crumple::bench {
 namespace {
 
-constexpr float dt = 1.0f / 60;
 constexpr Vec3 speed{0, 0, 15};
 
 // A pole of 30 cm a little off the middle, 20 cm before the nose.
@@ -32,7 +31,7 @@ Block::Block(std::size_t size)
 
 void Block::Free::operator()(std::byte* p) const { ::operator delete[](p, std::align_val_t{64}); }
 
-Bundle cook_car() {
+Bundle cook_car(const std::vector<std::string>& settings) {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "crumple_bench_car";
     std::filesystem::create_directories(folder);
     pipeline::CookRequest request;
@@ -42,8 +41,10 @@ Bundle cook_car() {
     }
     request.output = (folder / "car.hdf").string();
     const pipeline::RecipeText text = pipeline::load_recipe_text(CRUMPLE_CAR_RECIPE);
+    pipeline::Recipe recipe = pipeline::read_recipe(text.json, text.source);
+    for (const std::string& setting : settings) pipeline::apply_setting(recipe, setting);
     pipeline::CookReport report;
-    pipeline::cook(pipeline::read_recipe(text.json, text.source), request, report);
+    pipeline::cook(recipe, request, report);
     Bundle bundle = store::load_bundle(request.output);
     std::filesystem::remove_all(folder);
     return bundle;
@@ -64,7 +65,7 @@ Car::Car(const CarModel& shared)
       state(solver::make_state(shared.model, solver::Plasticity::additive, memory.get())),
       body(shared.bundle, speed, {}) {}
 
-solver::InstanceReport Car::drive(const CarModel& shared, Garage& garage) {
+solver::InstanceReport Car::drive(const CarModel& shared, Garage& garage, float dt, const solver::Settings& settings) {
     const solver::Obstacle obstacle = pole();
     solver::InstanceInput input;
     input.dt = dt;
@@ -73,7 +74,7 @@ solver::InstanceReport Car::drive(const CarModel& shared, Garage& garage) {
     input.obstacles = {&obstacle, 1};
     input.room = garage.room;
     input.may_sleep = false;  // what is measured is a car that moves
-    const solver::InstanceReport report = step_instance(shared.model, state, garage.workspace, input);
+    const solver::InstanceReport report = step_instance(shared.model, state, garage.workspace, input, settings);
     body.step(report.load, {}, static_cast<double>(dt));
     return report;
 }

@@ -2,6 +2,7 @@
 // The sample car on its way into a pole at 15 m/s, any number of times, as a game would have it.
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bundle/bundle.h"
@@ -10,8 +11,8 @@
 
 namespace crumple::bench {
 
-// Cooked with the sample's own recipe from the sample's own files.
-[[nodiscard]] Bundle cook_car();
+// Cooked with the sample's own recipe from the sample's own files, but for the settings ("finish.mode=none").
+[[nodiscard]] Bundle cook_car(const std::vector<std::string>& settings = {});
 
 // Memory on the boundary the solver wants.
 class Block {
@@ -45,8 +46,9 @@ struct Garage {
 
 struct Car {
     explicit Car(const CarModel& shared);
-    // One frame of 1/60 s: the car's body, and the deformation that rides on it.
-    solver::InstanceReport drive(const CarModel& shared, Garage& garage);
+    // One step: the car's body, and the deformation that rides on it.
+    solver::InstanceReport drive(const CarModel& shared, Garage& garage, float dt = 1.0f / 60,
+                                 const solver::Settings& settings = {});
 
     Block memory;
     solver::State state;
