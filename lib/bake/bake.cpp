@@ -7,6 +7,7 @@
 #include "bake/bake_tets.h"
 #include "bake/check_input.h"
 #include "bake/choose_materials.h"
+#include "bake/light_nodes.h"
 #include "bundle/matrix_pattern.h"
 #include "bundle/validate.h"
 #include "core/error.h"
@@ -43,6 +44,7 @@ Result bake_bundle(const Asset& asset, const TetMesh& mesh, const Bindings& bind
     bundle.sensors = bake_sensors(asset.shell, bundle, params, report.findings);
     context.stop_if_cancelled();
     require_valid(bundle);
+    warn_of_light_nodes(bundle, params.step_s, report.findings);
     report.bundle = summarize(bundle);
     context.tell_progress("bake", 1);
     return result;

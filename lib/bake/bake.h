@@ -64,10 +64,11 @@ struct Params {
     std::map<std::string, std::string> material_by_role = {{"solid", "steel"}, {"rigid", "engine"}};
     std::map<std::string, double> stiffness_by_component;
     std::vector<SensorParams> sensors;
+    double step_s = 1.0 / 60;  // the game's; changes nothing, but nodes too light for it are warned of
 };
 
 // Throws Error(usage) for a material table that is empty or has a name twice, a map that names no role or a material
-// that is not in the table, a factor out of range, a sensor without a name of its own.
+// that is not in the table, a factor or a step out of range, a sensor without a name of its own.
 void check_params(const Params& params);
 
 struct Report {
@@ -112,6 +113,7 @@ void describe(Visitor& visit, P& p) {
     visit.field("stiffness_by_component", p.stiffness_by_component, Range{1e-6, 1e6},
                 "shell component -> factor on Young's modulus");
     visit.field("sensors", p.sensors, "named rigid frames carried by clusters of nodes");
+    visit.field("step_s", p.step_s, Range{1e-6, 1}, "the game's time step: what is too stiff for it is warned of");
 }
 
 template <class Visitor, FieldsOf<Report> R>

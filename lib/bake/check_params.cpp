@@ -82,6 +82,7 @@ void check_params(const Params& params) {
     check_roles(params.material_by_role);
     check_stiffness(params.stiffness_by_component);
     check_names(params.sensors, "sensors");
+    if (!(params.step_s >= 1e-6 && params.step_s <= 1)) refuse("step_s: ", "a step lasts 1e-6 to 1 second");
 }
 
 }

@@ -2,6 +2,7 @@
 // The matrix, eight rows at a time: finishing it, and its product with vectors. See slices.h for how it lies. Included
 // once per instruction set, with CRUMPLE_LANES naming its namespace.
 #pragma once
+#include "bundle/too_light.h"
 
 namespace crumple::solver::CRUMPLE_LANES {
 
@@ -21,12 +22,9 @@ inline void invert_blocks(const Eight (&k)[9], Eight (&inverse)[9]) {
     inverse[8] = fnma(k[1], k[1], k[0] * k[4]) * s;
 }
 
-// A diagonal block this small a part of the stiffness is lost in the rounding of its sum, and with it the positive
-// definiteness of A.
-inline constexpr float resolved_by_float = 3e-7f;
-
-// Rows of K sum to zero, so the diagonal is the damped mass minus the rest of the row. Where the mass would drown, it
-// is raised until it does not: the node answers more slowly, the solve stays sound. Returns how many nodes that were.
+// Rows of K sum to zero, so the diagonal is the damped mass minus the rest of the row. Where the mass would drown
+// (bundle/too_light.h), it is raised until it does not: the node answers more slowly, the solve stays sound.
+// Returns how many nodes that were.
 inline std::uint32_t finish_diagonals(const RowJob& job, std::size_t slice, const Eight (&rest)[9]) {
     const Index* const node = job.node + slice_rows * slice;
     Eight k[9], inverse[9];
@@ -34,7 +32,7 @@ inline std::uint32_t finish_diagonals(const RowJob& job, std::size_t slice, cons
     float masses[slice_rows];
     for (std::size_t l = 0; l < slice_rows; ++l) masses[l] = job.damped_mass[node[l]];
     const Eight mass = Eight::load(masses);
-    const Eight lacking = fnma(Eight::all(0.125f), mass, Eight::all(resolved_by_float / 3) * (k[0] + k[4] + k[8]));
+    const Eight lacking = fnma(Eight::all(light_share), mass, Eight::all(resolved_by_float / 3) * (k[0] + k[4] + k[8]));
     const auto is_light = lacking > Eight::all(0);
     const Eight raised = select(is_light, mass + lacking, mass);
     for (const std::size_t i : {0, 4, 8}) k[i] = k[i] + raised;

@@ -53,6 +53,10 @@ TEST(BakeParams, AMapByRoleNamesRoles) {
               "bake.material_by_role.rigidd: no such role (solid, cavity, rigid); nearest: 'rigid'");
 }
 
+TEST(BakeParams, AStepIsPositive) {
+    EXPECT_EQ(complaint_of([](Params& p) { p.step_s = 0; }), "bake.step_s: a step lasts 1e-6 to 1 second");
+}
+
 TEST(BakeParams, AFactorOnStiffnessIsPositiveAndFinite) {
     EXPECT_EQ(complaint_of([](Params& p) { p.stiffness_by_component["body"] = 0; }),
               "bake.stiffness_by_component.body: a factor lies between 1e-6 and 1e6");
