@@ -291,7 +291,8 @@ typedef struct crumple_reading {
 } crumple_reading;
 
 /* dt: since the last reading of this sensor of this instance. carrier: as it is now, a free one with the load of the
- * step in its velocities; its accelerations are not used. Null: it stands still. Refused where a step would refuse it. */
+ * step in its velocities; its accelerations are not used. Null: it stands still. Refused where a step would refuse it.
+ */
 crumple_status crumple_read_sensor(crumple_instance* instance, uint32_t sensor, const crumple_carrier* carrier,
                                    float dt, crumple_reading* reading);
 

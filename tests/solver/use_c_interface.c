@@ -76,7 +76,8 @@ static void read_roof(const crumple_model* model, crumple_instance* body, used_c
     if (!(reading.deformation > 0)) used->failure = "the sensor felt nothing";
     used->was_triggered = crumple_trigger(body, roof, reading.deformation, 1e-4f, 1e-5f);
     if (crumple_trigger(body, roof, reading.deformation, 1e-4f, 1e-5f) != 0) used->failure = "triggered twice";
-    if (crumple_read_sensor(body, roof + 1, NULL, 1, &reading) != CRUMPLE_BAD_ARGUMENT) used->failure = "no such sensor";
+    if (crumple_read_sensor(body, roof + 1, NULL, 1, &reading) != CRUMPLE_BAD_ARGUMENT)
+        used->failure = "no such sensor";
 }
 
 void use_c_interface(const void* blob, size_t size, const crumple_allocator* allocator, const crumple_jobs* jobs,
