@@ -7,9 +7,10 @@
 
 What the file lacks, because it is of a --quick run or because a tool failed, is not measured, and so not met.
 """
-import argparse
-import json
 import sys
+
+import goals as shared
+from goals import Figures, NotMeasured
 
 # The control mesh that a shipped game-physics demo made of the shell carbody, measured the same way.
 SHIPPED_CARBODY = {"tets": 898, "pcg_soft": 92, "pcg_stiff": 419}
@@ -18,29 +19,13 @@ SHELLS = ("bonnet", "boxnest", "carbody", "carhood", "cow", "fandisk", "spot", "
 PEERS = ("tetgen", "hxt", "gmsh")
 
 
-class NotMeasured(Exception):
-    pass
-
-
-class Row:
-    """Figures of a shell and tool. A tool that failed, or did not run, has none."""
-
-    def __init__(self, figures):
-        self.figures = figures or {}
-
-    def __getitem__(self, key):
-        if self.figures.get(key) is None:
-            raise NotMeasured
-        return self.figures[key]
-
-
-class Goals:
+class Goals(shared.Goals):
     def __init__(self, rows):
+        super().__init__()
         self.rows = {(row["shell"], row["tool"]): row for row in rows}
-        self.lines = []
 
     def row(self, shell, tool="crumple"):
-        return Row(self.rows.get((shell, tool)))
+        return Figures(self.rows.get((shell, tool)))
 
     def best_peer(self, shell, key, best):
         """A peer may fail, but all must have been asked."""
@@ -49,31 +34,6 @@ class Goals:
         if not values or None in peers:
             raise NotMeasured
         return best(values)
-
-    def at_most(self, what, measure, limit):
-        """`measure` gives the figure; `limit` is a number or gives one."""
-        self.judge(what, measure, limit, "<=", lambda value, bound: value <= bound)
-
-    def at_least(self, what, measure, limit):
-        self.judge(what, measure, limit, ">=", lambda value, bound: value >= bound)
-
-    def judge(self, what, measure, limit, sign, holds):
-        value, bound = self.known(measure), self.known(limit if callable(limit) else lambda: limit)
-        measured = value is not None and bound is not None
-        verdict = "**not measured**" if not measured else "met" if holds(value, bound) else "**not met**"
-        show = lambda number: "" if number is None else f"{number:.4g}"
-        self.lines.append((what, show(value), f"{sign} {show(bound)}".strip(), verdict))
-
-    @staticmethod
-    def known(measure):
-        try:
-            return measure()
-        except NotMeasured:
-            return None
-
-    @property
-    def are_met(self):
-        return all(verdict == "met" for *_, verdict in self.lines)
 
 
 def judge_matched(goals):
@@ -173,31 +133,5 @@ TABLE_HEAD = ["shell", "tool", "nodes", "tets", "min, p5", "below", "dt ratio", 
               "CPU s", "of it finish"]
 
 
-def print_lines(head, lines):
-    print("| " + " | ".join(head).rstrip() + " |")
-    print("|" + "---|" * len(head))
-    for line in lines:
-        print(("| " + " | ".join(line)).rstrip() + " |")
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("figures", help="JSON of scripts/bench.sh mesh")
-    parser.add_argument("--table", action="store_true", help="print the rows instead")
-    args = parser.parse_args()
-    try:
-        with open(args.figures, encoding="utf-8") as file:
-            rows = json.load(file)["rows"]
-    except (OSError, ValueError, KeyError) as error:
-        print(f"mesh_goals.py: {args.figures}: {error}", file=sys.stderr)
-        return 2
-    if args.table:
-        print_lines(TABLE_HEAD, [table_line(row) for row in rows])
-        return 0
-    goals = judge_all(rows)
-    print_lines(["goal", "measured", "wanted", ""], [list(line) for line in goals.lines])
-    return 0 if goals.are_met else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(shared.run(__doc__, "mesh", judge_all, TABLE_HEAD, table_line))
