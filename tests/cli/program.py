@@ -2,6 +2,7 @@
 """Runs the built program for the tests in this folder.
 
 CRUMPLE names the program, CRUMPLE_DATA the folder of real input; tests that need it skip visibly where it is absent.
+CRUMPLE_OPTIMIZED=0 says that the program is a slow one, of a debug build: what takes long in Release is asked smaller.
 """
 import json
 import math
@@ -16,6 +17,7 @@ PROGRAM = os.environ.get("CRUMPLE", "crumple")
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("CRUMPLE_DATA", SOURCE.parent / "shared" / "data"))
 FULL = os.environ.get("CRUMPLE_FULL_TESTS") == "1"
+OPTIMIZED = os.environ.get("CRUMPLE_OPTIMIZED", "1") == "1"
 
 
 def run(*words, timeout=300, **options):
@@ -96,5 +98,5 @@ class Case(unittest.TestCase):
         return json.loads(process.stdout)
 
     def leftovers(self):
-        """Temporary files that something left behind."""
-        return [name for name in os.listdir(self.folder) if name.endswith(".crumple-tmp")]
+        """Temporary files that something left behind: no other file here is hidden."""
+        return [name for name in os.listdir(self.folder) if name.startswith(".")]

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A cook that dies at any moment, or runs out of disk, leaves the old file or none."""
+import ctypes
 import os
 import pathlib
 import random
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import tempfile
 import time
@@ -73,6 +75,34 @@ class Kill(program.Case):
             return pathlib.Path(f"/proc/{process}/stat").read_text().split(")")[1].split()[0] != "Z"
         except (FileNotFoundError, ProcessLookupError):
             return False
+
+
+class Leftovers(program.Case):
+    def names_made_by(self, work):
+        """Names that came up in the folder meanwhile, however short they stayed; renamed files do not count."""
+        made, header = 0x100, struct.Struct("iIII")  # IN_CREATE; struct inotify_event without its name
+        libc = ctypes.CDLL(None)
+        watch = libc.inotify_init()
+        self.addCleanup(os.close, watch)
+        self.assertGreater(libc.inotify_add_watch(watch, os.fsencode(self.folder), made), 0)
+        work()
+        self.path("end").touch()
+        names = []
+        while "end" not in names:
+            events = os.read(watch, 65536)
+            while events:
+                *_, length = header.unpack_from(events)
+                names.append(events[header.size:header.size + length].rstrip(b"\0").decode())
+                events = events[header.size + length:]
+        return names[:names.index("end")]
+
+    def test_what_a_cook_writes_before_the_output_is_what_these_tests_look_for(self):
+        names = self.names_made_by(lambda: self.ok(self.cook()))
+        self.assertTrue(names)
+        self.assertEqual(self.leftovers(), [])
+        for name in names:
+            self.path(name).touch()
+        self.assertEqual(sorted(self.leftovers()), sorted(names))
 
 
 class Disk(program.Case):
