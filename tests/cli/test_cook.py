@@ -217,18 +217,28 @@ class Same(program.Case):
             digests.add(hashlib.sha256(output.read_bytes()).hexdigest())
         self.assertEqual(len(digests), 1)
 
-    def test_the_names_and_folders_of_inputs_do_not_matter(self):
-        self.ok(self.cook(recipe="preview"))
-        first = self.output.read_bytes()
+    def test_the_folders_of_inputs_and_output_do_not_matter(self):
+        self.ok(self.cook("--keep-work", recipe="preview"))
         moved = self.path("elsewhere")
         moved.mkdir()
-        self.shell = self.shell.rename(moved / "other.obj")
-        process = program.run("cook", "preview", "--shell", self.shell, "--visual", f"visual={self.visual}", "-o", self.output)
+        self.shell = self.shell.rename(moved / "shell.obj")
+        self.visual = self.visual.rename(moved / "visual.obj")
+        self.ok(self.cook("--keep-work", recipe="preview", output=moved / "other.hdf"))
+        self.assertEqual((moved / "other.hdf").read_bytes(), self.output.read_bytes())
+
+    def test_a_file_s_own_name_matters_only_where_it_names_something(self):
+        self.ok(self.cook())
+        first = self.output.read_bytes()
+        renamed = self.visual.rename(self.path("other.obj"))
+        process = program.run("cook", "smoke", "--shell", self.shell, "--visual", f"visual={renamed}", "-o", self.output)
         self.ok(process)
-        report = self.json_of(program.run("inspect", self.output, "--format", "json"))
-        # The component is named after the file where the file names nothing.
-        self.assertEqual(len(report["bundle"]["regions"]), 1)
-        self.assertEqual(len(first), len(self.output.read_bytes()) if report["bundle"]["regions"][0]["name"] == "shell" else len(first))
+        self.assertEqual(self.output.read_bytes(), first)
+        # The region is named after the shell's file, which names nothing itself.
+        self.visual, self.shell = renamed.rename(self.visual), self.shell.rename(self.path("body.obj"))
+        self.ok(self.cook())
+        self.assertNotEqual(self.output.read_bytes(), first)
+        regions = self.json_of(program.run("inspect", self.output, "--format", "json"))["bundle"]["regions"]
+        self.assertEqual([region["name"] for region in regions], ["body"])
 
     def test_check_determinism_cooks_twice_and_says_so(self):
         report = self.json_of(self.cook("--check-determinism", "--jobs", "2", "--format", "json"))

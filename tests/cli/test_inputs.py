@@ -89,20 +89,28 @@ class Buffers(program.Case):
         names = [file["name"] for file in json.loads(report.read_text())["inputs"]]
         self.assertEqual(names, ["shell", "visual/skin", "visual/skin/buffer/0"])
 
+    def tets(self):
+        """Nodes, tets, masses and locks of the output, as text. Where its numbers came from is not in there."""
+        vtu = self.path("out.vtu")
+        self.ok(program.run("export", self.output, "--vtu", vtu))
+        return vtu.read_text()
+
     def test_paths_go_up_and_are_percent_encoded_or_not(self):
         self.ok(self.cook())
-        expected = self.output.read_bytes()
+        expected = self.tets()
         inner = self.path("folder")
         inner.mkdir()
         spaced = self.path("my 100% scene.bin")
         cases = [("data", None, None), ("encoded", "my%20100%25%20scene.bin", spaced), ("plain", "my 100% scene.bin", spaced),
                  ("folder/up", "../scene.bin", self.buffer), ("folder/long", "./../folder//../scene.bin", self.buffer)]
         for name, uri, buffer in cases:
-            shell = gltf_of(self.shell, self.path(name + ".gltf"), uri, buffer)
-            depfile = self.path("out.d")
-            self.ok(self.cook("--depfile", depfile, shell=shell))
-            self.assertEqual(depfile.read_text().count(".bin"), 0 if buffer is None else 1, name)
-        self.assertEqual(len(self.output.read_bytes()) > 0, len(expected) > 0)
+            with self.subTest(name):
+                shell = gltf_of(self.shell, self.path(name + ".gltf"), uri, buffer)
+                depfile = self.path("out.d")
+                self.output.unlink()
+                self.ok(self.cook("--depfile", depfile, shell=shell))
+                self.assertEqual(depfile.read_text().count(".bin"), 0 if buffer is None else 1)
+                self.assertEqual(self.tets(), expected)
 
     def test_what_cannot_be_read_is_refused_in_words_at_once(self):
         os.mkfifo(self.path("pipe"))
