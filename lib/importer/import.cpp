@@ -11,6 +11,7 @@
 #include "geometry/measures.h"
 #include "importer/cage.h"
 #include "importer/file_report.h"
+#include "importer/owners.h"
 #include "importer/read_scene.h"
 #include "importer/shell_from_scene.h"
 #include "importer/surface.h"
@@ -118,6 +119,8 @@ Result import_asset(const Sources& sources, const Params& params, const Context&
         result.asset.visuals.push_back(
             naming(path, [&] { return read_visual(names[i], path, params, result.report); }));
     }
+    for (Finding& finding : assign_owners(params.owners, result.asset.visuals))
+        result.report.findings.push_back(std::move(finding));
     if (params.cage > 0) cage_and_report(result, params.cage, context);
     result.asset.locked_positions = locked_positions(result.asset.shell);
     context.tell_progress("import", 1);

@@ -33,6 +33,7 @@ struct Params {
     std::uint32_t color_set = 0;
     ColorSpace color_space = ColorSpace::linear;  // of the stored colours; locks are judged on the stored values
     std::map<std::string, Role> roles;            // by component, mesh or material name
+    std::map<std::string, std::string> owners;    // by visual mesh: the shell component it hangs on
     bool strict = false;
     double weld_tolerance = 1e-6;  // times the box diagonal
     double thicken = 0;            // metres given to single sheets, 0: none
@@ -49,6 +50,9 @@ void describe(Visitor& visit, P& p) {
     visit.field("color_space", p.color_space, "of the stored colours; locks are judged on the stored red either way");
     visit.field("roles", p.roles,
                 "solid, cavity or rigid by component, mesh or material name; else from winding and nesting");
+    visit.field("owners", p.owners,
+                "shell component that a visual mesh hangs on alone, by the mesh's name; else each vertex on whichever "
+                "contains it or is nearest");
     visit.field("strict", p.strict, "copies of a vertex that disagree about its lock are an error");
     visit.field("weld_tolerance", p.weld_tolerance, Range{0, 0.01},
                 "where exact welding leaves edges open, vertices this near merge; times the box diagonal");

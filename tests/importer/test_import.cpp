@@ -300,7 +300,7 @@ TEST(Import, EveryFieldIsDescribed) {
         EXPECT_EQ(std::set<std::string>(visitor.names.begin(), visitor.names.end()).size(), visitor.names.size());
         return visitor.names.size();
     };
-    EXPECT_EQ(names_of(Params{}), 11u);
+    EXPECT_EQ(names_of(Params{}), 12u);
     EXPECT_EQ(names_of(FileReport{}), 10u);
     EXPECT_EQ(names_of(ComponentReport{}), 9u);
     EXPECT_EQ(names_of(Report{}), 26u);
