@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/gltf_scene.h"
 
+#include <set>
 #include <vector>
 
 #include "core/counted.h"
@@ -75,9 +76,9 @@ std::uint64_t count_with_mesh(const Json& nodes) {
     return count;
 }
 
-// Nodes with a mesh, at the nodes named or below.
-std::uint64_t count_with_mesh_below(const Json& nodes, const Json& named) {
-    std::uint64_t count = 0;
+// The meshes of the nodes named and of those below.
+std::vector<std::size_t> meshes_below(const Json& nodes, const Json& named) {
+    std::vector<std::size_t> meshes;
     std::vector<std::size_t> pending;
     const auto wait = [&](const Json& items) {
         for (const Json& item : items) pending.push_back(item.get<std::size_t>());
@@ -86,10 +87,10 @@ std::uint64_t count_with_mesh_below(const Json& nodes, const Json& named) {
     while (!pending.empty()) {
         const Json& node = nodes[pending.back()];
         pending.pop_back();
-        count += node.contains("mesh");
+        if (node.contains("mesh")) meshes.push_back(node["mesh"].get<std::size_t>());
         wait(list(node, "children"));
     }
-    return count;
+    return meshes;
 }
 
 // Those of the nodes named that no other one of them has below it: some programs name them all.
@@ -125,7 +126,7 @@ void check_nodes(const Json& document) {
     check_scenes(document, nodes.size());
 }
 
-void choose_scene(Json& document, Unread& unread) {
+std::set<std::size_t> choose_scene(Json& document, Unread& unread) {
     if (list(document, "scenes").empty()) {
         // A library of meshes that no node places: each where its file has it.
         if (list(document, "nodes").empty()) {
@@ -141,12 +142,13 @@ void choose_scene(Json& document, Unread& unread) {
     Json& scene = document["scenes"][chosen];
     scene["nodes"] = topmost(document, list(scene, "nodes"));
     const Json& nodes = list(document, "nodes");
-    const std::uint64_t read = count_with_mesh_below(nodes, scene["nodes"]);
-    unread.nodes = count_with_mesh(nodes) - read;
-    if (read == 0 && unread.nodes > 0)
+    const std::vector<std::size_t> read = meshes_below(nodes, scene["nodes"]);
+    unread.nodes = count_with_mesh(nodes) - read.size();
+    if (read.empty() && unread.nodes > 0)
         refuse("the scene that is read holds no mesh; " +
                counted(unread.nodes, "node with one is", "nodes with one are") +
                " outside it: export the scene that they belong to");
+    return {read.begin(), read.end()};
 }
 
 }

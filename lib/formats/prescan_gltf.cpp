@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "core/index.h"
@@ -237,16 +238,18 @@ std::uint64_t triangles_of(const Json& document, const Json& primitive, Purpose 
     return corners >= 3 ? corners - 2 : 0;
 }
 
-std::uint64_t count_triangles(const Json& document, Purpose purpose) {
-    std::uint64_t count = 0;
+// By mesh.
+std::vector<std::uint64_t> count_triangles(const Json& document, Purpose purpose) {
+    std::vector<std::uint64_t> counts;
     for (const Json& mesh : list(document, "meshes")) {
         if (!mesh.is_object()) refuse("a mesh is not an object");
+        counts.push_back(0);
         for (const Json& primitive : list(mesh, "primitives")) {
             if (!primitive.is_object()) refuse("a primitive is not an object");
-            count += triangles_of(document, primitive, purpose);
+            counts.back() += triangles_of(document, primitive, purpose);
         }
     }
-    return count;
+    return counts;
 }
 
 // Nodes whose mesh joints would move.
@@ -285,12 +288,13 @@ Prescan prescan_gltf(std::string_view bytes, Purpose purpose) {
     for (std::size_t i = 0; i < accessors.size(); ++i) check_accessor(json, accessors[i], i);
     for (const Json& node : list(json, "nodes")) result.transforms.push_back(transform_of(node));
     gltf::check_nodes(json);
-    result.expected_triangles = count_triangles(json, purpose);
+    const std::vector<std::uint64_t> triangles = count_triangles(json, purpose);
     for (const Json& item : list(json, "materials")) {
         if (!item.is_object()) refuse("one of the materials is not an object");
     }
     result.buffers = gltf::external_buffers(json);
-    gltf::choose_scene(document.json, result.unread);
+    for (const std::size_t mesh : gltf::choose_scene(document.json, result.unread))
+        result.expected_triangles += triangles[mesh];
     result.unread.skins = count_skinned(json);
     result.unread.morphs = count_morphed(json);
     result.unread.bytes = document.unread;

@@ -167,6 +167,17 @@ TEST(ReadScene, AGltfWithoutScenesIsALibraryOfWhatItHolds) {
     EXPECT_FALSE(has(one.report, "FILE_NO_SCENE"));
 }
 
+TEST(ReadScene, AMeshOfAGltfThatNoSceneHoldsIsNotMissed) {
+    const TempFolder folder;
+    (void)folder.write("box.bin", gltf_buffer());
+    std::string json = gltf_text(R"(, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}, {"mesh": 1}])");
+    const std::string mesh = R"({"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]})";
+    json.replace(json.find(mesh), mesh.size(), mesh + ", " + mesh + ", " + mesh);
+    const Result result = import_shell(folder.write("a.gltf", json));
+    EXPECT_EQ(result.asset.shell.triangles.size(), 12u);
+    EXPECT_FALSE(has(result.report, "FILE_FACES_LOST"));
+}
+
 TEST(ReadScene, ATriangleOfAGltfThatRefersToNoVertexIsRefused) {
     const TempFolder folder;
     std::string bytes = gltf_buffer();
