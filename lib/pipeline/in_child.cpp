@@ -21,6 +21,10 @@ std::string run_text_in_child(const std::function<std::string()>& work, const st
     const auto outcome = sandbox::run_in_child([&] { return bytes_of(work()); }, {.time_s = time_s});
     if (outcome.ending == Ending::ok)
         return {reinterpret_cast<const char*>(outcome.answer.data()), outcome.answer.size()};
+    if (outcome.ending == Ending::out_of_time) {
+        throw Error(ErrorKind::difference,
+                    name + ": " + outcome.message + ": it is damaged, or the machine too slow or too busy for it");
+    }
     if (outcome.ending != Ending::refused) throw Error(ErrorKind::difference, name + ": damaged: " + outcome.message);
     if (outcome.kind == ErrorKind::usage) throw Error(ErrorKind::bad_input, name + ": " + outcome.message);
     throw Error(outcome.kind == ErrorKind::file ? ErrorKind::file : ErrorKind::difference, outcome.message);

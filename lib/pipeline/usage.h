@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a piece of work cost: time by the wall, time on processors (children that were waited for included), and the
-// most memory this process held meanwhile.
+// most memory that this process, or one of those children, held meanwhile.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -19,7 +19,7 @@ template <class Visitor, FieldsOf<Usage> U>
 void describe(Visitor& visit, U& u) {
     visit.field("wall_s", u.wall_s, "seconds by the wall");
     visit.field("cpu_s", u.cpu_s, "seconds on processors, children included");
-    visit.field("peak_memory_mb", u.peak_memory_mb, "most resident memory, million bytes");
+    visit.field("peak_memory_mb", u.peak_memory_mb, "most resident memory of one process, the file reader's included, million bytes");
 }
 
 // Measures from its construction on. One at a time knows its own peak; around it, an outer one sees at least that.
@@ -31,6 +31,7 @@ public:
 private:
     std::chrono::steady_clock::time_point start_;
     double cpu_start_s_;
+    std::uint64_t children_peak_start_bytes_;
 };
 
 // The most resident memory this process has held since the last UsageMeter began, bytes; never less than now.

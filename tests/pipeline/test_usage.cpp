@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <vector>
+
+#include "sandbox/sandbox.h"
 
 TEST(Usage, MemoryThatWasHeldAndGivenBackCounts) {
     const crumple::pipeline::UsageMeter meter;
@@ -13,6 +16,19 @@ TEST(Usage, MemoryThatWasHeldAndGivenBackCounts) {
         EXPECT_EQ(block[block.size() / 2], 1);
     }
     EXPECT_GE(meter.read().peak_memory_mb, before + 60);
+}
+
+TEST(Usage, MemoryOfAChildCounts) {
+    const crumple::pipeline::UsageMeter meter;
+    const double before = meter.read().peak_memory_mb;
+    const auto outcome = crumple::sandbox::run_in_child(
+        [] {
+            const std::vector<char> block(300u << 20, 1);
+            return std::vector<std::byte>(1, static_cast<std::byte>(block[block.size() / 2]));
+        },
+        {});
+    ASSERT_EQ(outcome.ending, crumple::sandbox::Ending::ok);
+    EXPECT_GE(meter.read().peak_memory_mb, before + 250);
 }
 
 TEST(Usage, TimesNeverRunBackwards) {
