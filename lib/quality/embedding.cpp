@@ -97,38 +97,38 @@ VertexEmbedding measure_vertices(const VisualMesh& visual, const VisualBinding& 
 
 struct Weighty {
     double weight;
-    Place place;
+    HungVertex vertex;
 };
 
 void collect(EmbeddingResult& result, std::vector<Weighty>& weighty, const VisualMesh& visual,
              const VisualBinding& binding, const VertexEmbedding& vertices) {
     for (Index v = 0; v < visual.positions.size(); ++v) {
-        const Place place{visual.positions[v], v, visual.name};
+        const HungVertex vertex{{visual.positions[v], v, visual.name}, binding.tet[v]};
         ++result.total.vertices;
         result.total.outside += binding.inside[v] ? 0 : 1;
         result.total.max_weight = std::max<double>(result.total.max_weight, vertices.max_weight[v]);
-        if (vertices.max_weight[v] > 1) weighty.push_back({vertices.max_weight[v], place});
+        if (vertices.max_weight[v] > 1) weighty.push_back({vertices.max_weight[v], vertex});
         if (!vertices.bound_wrongly[v]) continue;
         ++result.total.bound_wrongly;
-        if (result.wrong_places.size() < max_places) result.wrong_places.push_back(place);
+        if (result.wrong.size() < max_places) result.wrong.push_back(vertex);
     }
 }
 
-std::vector<Place> heaviest(std::vector<Weighty>& weighty) {
+std::vector<HungVertex> heaviest(std::vector<Weighty>& weighty) {
     const auto shown = std::min(weighty.size(), max_places);
     const auto end = weighty.begin() + static_cast<std::ptrdiff_t>(shown);
     std::partial_sort(weighty.begin(), end, weighty.end(), [](const Weighty& a, const Weighty& b) {
         if (a.weight != b.weight) return a.weight > b.weight;
-        return lexicographic_less(a.place.position, b.place.position);
+        return lexicographic_less(a.vertex.place.position, b.vertex.place.position);
     });
-    std::vector<Place> places;
+    std::vector<HungVertex> vertices;
     for (auto at = weighty.begin(); at != end; ++at) {
         char text[32];
         std::snprintf(text, sizeof text, ", weight %.3g", at->weight);
-        places.push_back(std::move(at->place));
-        places.back().name += text;
+        vertices.push_back(std::move(at->vertex));
+        vertices.back().place.name += text;
     }
-    return places;
+    return vertices;
 }
 
 }
@@ -143,7 +143,7 @@ EmbeddingResult measure_embedding(const Shell& shell, const TetMesh& mesh, std::
         result.visuals.push_back(measure_vertices(visuals[i], bindings[i], named, alternatives, context));
         collect(result, weighty, visuals[i], bindings[i], result.visuals.back());
     }
-    result.weight_places = heaviest(weighty);
+    result.heaviest = heaviest(weighty);
     return result;
 }
 

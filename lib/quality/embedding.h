@@ -39,11 +39,18 @@ struct VertexEmbedding {
     std::vector<std::uint8_t> bound_wrongly;  // V
 };
 
+// A vertex worth telling of: its visual mesh is in the name, with the weight where that is why.
+struct HungVertex {
+    Place place;
+    Index tet = none;  // it hangs on
+};
+
+// At most max_places of each kind.
 struct EmbeddingResult {
     Embedding total;
     std::vector<VertexEmbedding> visuals;
-    std::vector<Place> wrong_places;   // of vertices bound wrongly, the first few
-    std::vector<Place> weight_places;  // of the largest weights, largest first
+    std::vector<HungVertex> wrong;     // bound wrongly, the first ones
+    std::vector<HungVertex> heaviest;  // of the largest weights above 1, largest first
 };
 
 // A visual mesh that names a shell component belongs to it; of one that does not, a vertex belongs to the component

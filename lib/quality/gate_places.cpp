@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdio>
 
+#include "core/short_text.h"
+#include "geometry/boundary_loops.h"
+#include "geometry/measures.h"
 #include "quality/element_stiffness.h"
 #include "quality/tet_measures.h"
 #include "quality/worst_tets.h"
@@ -137,6 +140,27 @@ Place PlaceTeller::at(Vec3 position, const std::string& figure) const {
         least_2 = dot(away, away);
     }
     return {position, none, tell(position, nearest, figure)};
+}
+
+Place PlaceTeller::at_vertex(const HungVertex& vertex) const {
+    const auto& [position, element, name] = vertex.place;
+    return {position, element, tell(position, vertex.tet, name)};
+}
+
+std::vector<Place> PlaceTeller::holes() const {
+    std::vector<Box> boxes;
+    for (const std::vector<Index>& loop : boundary_loops(surface_.triangles)) {
+        Box& box = boxes.emplace_back();
+        for (const Index v : loop) box.add(surface_.positions[v]);
+    }
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](const Box& a, const Box& b) { return a.diagonal() > b.diagonal(); });
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < boxes.size() && i < max_places; ++i) {
+        const Vec3 middle = (boxes[i].low + boxes[i].high) * 0.5;
+        places.push_back(at(middle, "a hole " + short_text(boxes[i].diagonal()) + " m across"));
+    }
+    return places;
 }
 
 PlaceTeller::Worst PlaceTeller::worst(Badness badness, Limit skipped) const {

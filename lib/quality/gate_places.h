@@ -33,6 +33,11 @@ public:
     [[nodiscard]] Place at_node(Index node) const;
     // A place of its own, told by the tet nearest to it.
     [[nodiscard]] Place at(Vec3 position, const std::string& figure) const;
+    // Told by the tet it hangs on.
+    [[nodiscard]] Place at_vertex(const HungVertex& vertex) const;
+
+    // The middles of the surface's holes, widest first, at most max_places.
+    [[nodiscard]] std::vector<Place> holes() const;
 
 private:
     [[nodiscard]] std::string tell(Vec3 position, Index tet, const std::string& figure) const;

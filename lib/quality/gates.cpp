@@ -23,13 +23,6 @@ constexpr const char* part_surfaces =
 constexpr const char* mesh_better =
     "try more interior points (sample.points) or another seed (sample.seed), with finish.mode full";
 
-enum class Wanted { high, low };
-
-// How a figure stands to its gate.
-bool is_beyond(double value, double limit, Wanted wanted) {
-    return wanted == Wanted::high ? value < limit : value > limit;
-}
-
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
     char text[512];
     std::va_list arguments;
@@ -174,7 +167,7 @@ void judge_fidelity(Judgement& judgement, const Case& of) {
                   });
     judgement.ask("GATE_LEAK", "the volume share where an open shell leaves open what is inside", f.leak_share,
                   of.gates.leak_share, Wanted::low, [&]() -> Judgement::Told {
-                      return {"close its holes, or give a sheet a thickness", {}};
+                      return {"close its holes, or give a sheet a thickness", of.teller.holes()};
                   });
     if (!f.is_closed) return;
     judgement.ask("GATE_HAUSDORFF_OUT", "how far the tets' surface strays from the shell, in box diagonals,",
@@ -238,22 +231,27 @@ void judge_topology(Judgement& judgement, const Case& of) {
 void judge_embedding(Judgement& judgement, const Case& of) {
     const Embedding& e = of.figures.embedding;
     if (e.vertices == 0) return;
-    const auto weights = of.embedding ? of.embedding->weight_places : std::vector<Place>{};
-    const auto wrong = of.embedding ? of.embedding->wrong_places : std::vector<Place>{};
+    const auto places_of = [&](const std::vector<HungVertex>& vertices) {
+        std::vector<Place> places;
+        for (const HungVertex& vertex : vertices) places.push_back(of.teller.at_vertex(vertex));
+        return places;
+    };
+    const auto weights = [&] { return of.embedding ? places_of(of.embedding->heaviest) : std::vector<Place>{}; };
+    const auto wrong = [&] { return of.embedding ? places_of(of.embedding->wrong) : std::vector<Place>{}; };
     judgement.ask("GATE_OUTSIDE", "the share of visual vertices outside the tets",
                   static_cast<double>(e.outside) / static_cast<double>(e.vertices), of.gates.outside_share, Wanted::low,
                   [&]() -> Judgement::Told {
-                      return {"let the shell enclose the visual meshes there", weights, e.outside};
+                      return {"let the shell enclose the visual meshes there", weights(), e.outside};
                   });
     judgement.ask(
         "GATE_MAX_WEIGHT", "the largest weight of a visual vertex", e.max_weight, of.gates.max_weight, Wanted::low,
         [&]() -> Judgement::Told {
-            return {"it exaggerates what its tet does: let the shell enclose it, or use coarser tets there", weights};
+            return {"it exaggerates what its tet does: let the shell enclose it, or use coarser tets there", weights()};
         });
     judgement.ask(
         "GATE_BOUND_WRONGLY", "the number of visual vertices on a tet of another shell",
         static_cast<double>(e.bound_wrongly), of.gates.bound_wrongly, Wanted::low, [&]() -> Judgement::Told {
-            return {"name the shell component a visual mesh belongs to in the recipe", wrong, e.bound_wrongly};
+            return {"name the shell component that a visual mesh hangs on (import.owners)", wrong(), e.bound_wrongly};
         });
 }
 

@@ -25,6 +25,12 @@ void describe(Visitor& visit, G& g) {
 
 inline constexpr double never = 1e9;  // a limit that no figure goes beyond
 
+// Where a figure is wanted: above the limits of its gate, or below them. The limit itself is allowed.
+enum class Wanted { high, low };
+[[nodiscard]] constexpr bool is_beyond(double value, double limit, Wanted wanted) {
+    return wanted == Wanted::high ? value < limit : value > limit;
+}
+
 // Lower limits for angles, ratios and steps, upper ones for the rest.
 struct GateParams {
     Gate min_dihedral_deg{1, 5};
@@ -107,7 +113,8 @@ struct PlaceNames {
                                          const GateParams& params = {}, const PlaceNames& names = {},
                                          const EmbeddingResult* embedding = nullptr);
 
-// GATE_PCG_SOFT, GATE_PCG_STIFF, GATE_TETS, GATE_VOLUME_CHANGED.
+// GATE_PCG_SOFT, GATE_PCG_STIFF, GATE_TETS, GATE_VOLUME_CHANGED: of the whole mesh, so without places. An
+// empty baseline compares nothing.
 [[nodiscard]] std::vector<Finding> judge_against(const Baseline& baseline, const Figures& figures,
                                                  const GateParams& params = {});
 

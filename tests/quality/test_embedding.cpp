@@ -84,9 +84,10 @@ TEST(Embedding, AVertexInsideTheEngineHungOnTheBodyIsWrong) {
     const EmbeddingResult result = measure_embedding(nest.shell, nest.mesh, std::vector{visual}, {binding});
     EXPECT_EQ(result.total.bound_wrongly, 1u);
     EXPECT_EQ(result.total.outside, 1u);
-    ASSERT_EQ(result.wrong_places.size(), 1u);
-    EXPECT_EQ(result.wrong_places[0].position, (Vec3{1.3, 1.4, 1.6}));
-    EXPECT_EQ(result.wrong_places[0].name, "engine");
+    ASSERT_EQ(result.wrong.size(), 1u);
+    EXPECT_EQ(result.wrong[0].place.position, (Vec3{1.3, 1.4, 1.6}));
+    EXPECT_EQ(result.wrong[0].place.name, "engine");
+    EXPECT_EQ(result.wrong[0].tet, 0u);
     EXPECT_EQ(result.visuals[0].bound_wrongly, std::vector<std::uint8_t>{1});
 }
 
@@ -114,8 +115,8 @@ TEST(Embedding, ExtrapolatedVerticesAreTold) {
     const EmbeddingResult result = measure_embedding(nest.shell, nest.mesh, std::vector{visual}, {binding});
     EXPECT_EQ(result.total.outside, 2u);
     EXPECT_GT(result.total.max_weight, 2);
-    ASSERT_GE(result.weight_places.size(), 1u);
-    EXPECT_EQ(result.weight_places[0].element, 0u) << "the heaviest comes first";
+    ASSERT_GE(result.heaviest.size(), 1u);
+    EXPECT_EQ(result.heaviest[0].place.element, 0u) << "the heaviest comes first";
     EXPECT_GT(result.visuals[0].distance[0], 0);
     EXPECT_EQ(result.visuals[0].distance[2], 0);
 }

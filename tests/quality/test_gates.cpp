@@ -148,12 +148,58 @@ TEST(Gates, BadlyHungVerticesAreWarnedOf) {
     Figures figures = measure(mesh, nullptr);
     figures.embedding = {1000, 50, 3.5, 2};
     EmbeddingResult embedding;
-    embedding.wrong_places = {{{1, 2, 3}, 7, "wheel"}};
+    embedding.wrong = {{{{1, 2, 3}, 7, "wheel"}, 0}};
     const std::vector<Finding> findings = judge(figures, mesh, nullptr, {}, {}, &embedding);
     ASSERT_EQ(findings.size(), 3u);
     EXPECT_EQ(find(findings, "GATE_OUTSIDE")->count, 50u);
     EXPECT_EQ(find(findings, "GATE_MAX_WEIGHT")->severity, Severity::warning);
     EXPECT_EQ(find(findings, "GATE_BOUND_WRONGLY")->places.at(0).name, "wheel");
+}
+
+TEST(Gates, ABadlyHungVertexIsToldByTheTetItHangsOn) {
+    TetMesh mesh = shapes::tet_grid(2);
+    mesh.region.assign(mesh.tets.size(), 0);
+    mesh.region[5] = 1;
+    Figures figures = measure(mesh, nullptr);
+    figures.embedding = {10, 5, 3.5, 1};
+    EmbeddingResult embedding;
+    embedding.wrong = {{{{1, 2, 3}, 7, "wheel"}, 5}};
+    embedding.heaviest = {{{{0, 0, 1}, 8, "paint, weight 3.5"}, 0}};
+    const std::vector<std::string> components{"body", "engine"};
+    const std::vector<std::string> materials{"steel"};
+    const std::vector<std::uint16_t> tet_material(mesh.tets.size(), 0);
+    const std::vector<Vec3> painted{{0, 0, 0}};
+    const std::vector<Finding> findings =
+        judge(figures, mesh, nullptr, {}, {components, materials, tet_material, painted}, &embedding);
+    const Place& wrong = find(findings, "GATE_BOUND_WRONGLY")->places.at(0);
+    EXPECT_EQ(wrong.position, (Vec3{1, 2, 3}));
+    EXPECT_EQ(wrong.element, 7u);
+    EXPECT_EQ(wrong.name, "wheel, engine, steel, 3.74 m from the painted vertex at (0 0 0)");
+    for (const char* code : {"GATE_OUTSIDE", "GATE_MAX_WEIGHT"}) {
+        EXPECT_EQ(find(findings, code)->places.at(0).name,
+                  "paint, weight 3.5, body, steel, 1 m from the painted vertex at (0 0 0)");
+    }
+}
+
+TEST(Gates, ALeakIsToldByTheShellsHolesTheWidestFirst) {
+    const TetMesh mesh = shapes::tet_grid(2);
+    Shell shell = shapes::subdivided_box(4);
+    const auto middle_of = [&](const Triangle& t) {
+        return (shell.positions[t[0]] + shell.positions[t[1]] + shell.positions[t[2]]) / 3.0;
+    };
+    // A whole side, and one triangle of the opposite one.
+    std::erase_if(shell.triangles, [&](const Triangle& t) { return middle_of(t).x == 1; });
+    shell.triangles.erase(std::find_if(shell.triangles.begin(), shell.triangles.end(),
+                                       [&](const Triangle& t) { return middle_of(t).x == 0; }));
+    Figures figures = measure(mesh, nullptr);
+    figures.fidelity.is_known = true;
+    figures.fidelity.leak_share = 0.5;
+    const std::vector<Finding> findings = judge(figures, mesh, &shell);
+    ASSERT_EQ(findings.size(), 1u);
+    ASSERT_EQ(findings[0].places.size(), 2u);
+    EXPECT_EQ(findings[0].places[0].position, (Vec3{1, 0.5, 0.5}));
+    EXPECT_EQ(findings[0].places[0].name, "a hole 1.41 m across");
+    EXPECT_EQ(findings[0].places[1].position.x, 0);
 }
 
 TEST(Gates, DoNotDependOnTheOrderOfTets) {
