@@ -20,6 +20,14 @@ std::string asset_of(const std::string& path) { return std::filesystem::path(pat
 
 bool has_figures(const FileCheck& check) { return check.figures.shape.tets > 0; }
 
+// The first figure that is 0, which could not be compared; null: none. Only a mesh that cannot be simulated has such.
+const char* missing_in(const quality::Baseline& figures) {
+    if (figures.tets == 0) return "tets";
+    if (!(figures.volume > 0)) return "volume";
+    if (figures.pcg_soft == 0) return "pcg_soft";
+    return figures.pcg_stiff == 0 ? "pcg_stiff" : nullptr;
+}
+
 quality::GateParams limits_of(const FileCheck& check) {
     const auto told = told_gates(check.record);
     return told ? told->params.limits : quality::GateParams();
@@ -27,18 +35,19 @@ quality::GateParams limits_of(const FileCheck& check) {
 
 }
 
-BaselineFile load_baseline(const std::string& path, bool may_be_missing) {
+BaselineFile load_baseline(const std::string& path, bool will_be_updated) {
     BaselineFile baseline;
-    if (may_be_missing && !std::filesystem::exists(path)) return baseline;
+    if (will_be_updated && !std::filesystem::exists(path)) return baseline;
     const std::vector<std::byte> bytes = store::read_file(path);
     report::read_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path,
                       report::Described::of(baseline));
     if (baseline.schema != BaselineFile().schema)
         throw Error(ErrorKind::usage, path + ": schema: '" + baseline.schema + "' is not " + BaselineFile().schema);
     for (const auto& [name, figures] : baseline.assets) {
-        if (figures.tets > 0 && figures.volume > 0) continue;
+        const char* missing = missing_in(figures);
+        if (will_be_updated || !missing) continue;
         throw Error(ErrorKind::usage,
-                    path + ": assets." + name + "." + (figures.tets > 0 ? "volume" : "tets") +
+                    path + ": assets." + name + "." + missing +
                         ": no asset has 0, so nothing could be compared; run crumple check --update-baseline");
     }
     return baseline;
@@ -73,8 +82,8 @@ void compare_with(const BaselineFile& baseline, FileCheck& check) {
 
 void update_baseline(const std::string& path, BaselineFile baseline, const std::vector<FileCheck>& checks) {
     for (const FileCheck& check : checks) {
-        if (check.exit_code == 0 && has_figures(check))
-            baseline.assets[asset_of(check.path)] = quality::baseline_of(check.figures);
+        const quality::Baseline figures = quality::baseline_of(check.figures);
+        if (check.exit_code == 0 && !missing_in(figures)) baseline.assets[asset_of(check.path)] = figures;
     }
     const std::string json = report::write_json(report::Described::of(baseline));
     store::write_file(path, std::as_bytes(std::span(json)));

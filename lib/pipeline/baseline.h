@@ -21,8 +21,9 @@ void describe(Visitor& visit, B& b) {
     visit.field("assets", b.assets, "by the bundle's file name without folder and .hdf");
 }
 
-// Throws Error(file), or Error(usage) for what is no baseline. An absent file is an empty one when it may be missing.
-[[nodiscard]] BaselineFile load_baseline(const std::string& path, bool may_be_missing);
+// Throws Error(file), or Error(usage) for what is no baseline or lacks a figure of an asset. One that will be updated
+// may be absent and lack figures.
+[[nodiscard]] BaselineFile load_baseline(const std::string& path, bool will_be_updated);
 
 // Throws Error(usage) for two paths whose bundles go by one name there.
 void check_asset_names(const std::vector<std::string>& paths);
@@ -31,7 +32,7 @@ void check_asset_names(const std::vector<std::string>& paths);
 // the file does not know it. Files that were not checked to the end stay as they are.
 void compare_with(const BaselineFile& baseline, FileCheck& check);
 
-// Takes over what every bundle that passed has now, and writes the file. Throws Error(file).
+// Takes over what every bundle that passed and can be simulated has now, and writes the file. Throws Error(file).
 void update_baseline(const std::string& path, BaselineFile baseline, const std::vector<FileCheck>& checks);
 
 }

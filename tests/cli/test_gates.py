@@ -188,7 +188,16 @@ class Baseline(program.Case):
     def test_a_change_of_volume_fails(self):
         self.check("--update-baseline")
         self.change(volume=1.1 * json.loads(self.baseline.read_text())["assets"]["out"]["volume"])
-        self.assertEqual(self.check()[0], 4)
+        code, check = self.check()
+        self.assertEqual(code, 4)
+        self.assertIn("GATE_VOLUME_CHANGED", self.codes(check))
+
+    def test_more_tets_are_warned_of_however_many(self):
+        self.check("--update-baseline")
+        self.change(tets=json.loads(self.baseline.read_text())["assets"]["out"]["tets"] // 4)
+        code, check = self.check()
+        self.assertEqual(code, 0)
+        self.assertIn("GATE_TETS", self.codes(check))
 
     def test_an_asset_it_does_not_know_is_warned_of(self):
         self.baseline.write_text('{"assets": {}}')
@@ -201,9 +210,20 @@ class Baseline(program.Case):
                              ('{"schema": "crumple/check/1"}', "crumple/baseline/1"),
                              ('{"assets": {"out": {"tets": -1}}}', "assets.out.tets", "out of range"),
                              ('{"assets": {"out": {}}}', "assets.out.tets", "--update-baseline"),
-                             ('{"assets": {"out": {"tets": 5}}}', "assets.out.volume", "--update-baseline")]:
+                             ('{"assets": {"out": {"tets": 5}}}', "assets.out.volume", "--update-baseline"),
+                             ('{"assets": {"out": {"tets": 5, "volume": 1, "pcg_stiff": 9}}}', "assets.out.pcg_soft",
+                              "--update-baseline"),
+                             ('{"assets": {"out": {"tets": 5, "volume": 1, "pcg_soft": 9}}}', "assets.out.pcg_stiff",
+                              "--update-baseline")]:
             self.baseline.write_text(text)
             self.fails(program.run("check", self.output, "--baseline", self.baseline), 1, "baseline.json", *parts)
+
+    def test_what_it_lacks_an_update_adds(self):
+        self.baseline.write_text('{"assets": {"out": {"tets": 5, "volume": 1}}}')
+        self.assertEqual(self.check("--update-baseline")[0], 0)
+        self.assertEqual(self.check()[0], 0)
+        for figure in json.loads(self.baseline.read_text())["assets"]["out"].values():
+            self.assertGreater(figure, 0)
 
     def test_files_that_are_not_there(self):
         self.fails(program.run("check", self.output, "--baseline", self.path("none.json")), 2, "none.json")
