@@ -62,7 +62,7 @@ std::uint64_t drop_duplicates(const Surface& surface, Welded& shell, std::vector
         return left != right ? left < right : a < b;
     });
     std::vector<bool> keep(order.size(), true);
-    Finding finding{"SHELL_DUPLICATE", Severity::warning, "", 0, {}};
+    Finding finding{"SHELL_DUPLICATE", Severity::info, "", 0, {}};
     for (std::size_t i = 1; i < order.size(); ++i) {
         if (canonical(shell.triangles[order[i]]) != canonical(shell.triangles[order[i - 1]])) continue;
         keep[order[i]] = false;

@@ -14,6 +14,7 @@
 #include "importer/import.h"
 #include "importer/obj_text.h"
 #include "importer/temp_folder.h"
+#include "mesh/boundary.h"
 #include "mesh/neighbours.h"
 #include "mesh/validate.h"
 #include "recover/recover.h"
@@ -27,11 +28,13 @@ struct Cooked {
     Asset asset;
     importer::Report import;
     sample::Report sample;
-    TetMesh mesh;
+    TetMesh mesh;  // culled
     cull::Report cull;
+    TetMesh finished;
+    finish::Report finish;
 
     [[nodiscard]] const Finding* find(const std::string& code) const {
-        for (const auto* findings : {&import.findings, &sample.findings, &cull.findings}) {
+        for (const auto* findings : {&import.findings, &sample.findings, &cull.findings, &finish.findings}) {
             for (const Finding& finding : *findings) {
                 if (finding.code == code) return &finding;
             }
@@ -39,6 +42,14 @@ struct Cooked {
         return nullptr;
     }
     [[nodiscard]] bool has(const std::string& code) const { return find(code) != nullptr; }
+    [[nodiscard]] bool informs(const std::string& code) const { return has(code, Severity::info); }
+    [[nodiscard]] bool warns(const std::string& code) const { return has(code, Severity::warning); }
+
+private:
+    [[nodiscard]] bool has(const std::string& code, Severity severity) const {
+        const Finding* finding = find(code);
+        return finding && finding->severity == severity;
+    }
 };
 
 // A refusal must be about the input; anything else is a bug and passes through. Few sweeps: these tests are not about
@@ -61,6 +72,9 @@ inline Cooked cook_text(const std::string& obj, const importer::Params& params =
         cull::Result culled = cull::cull_outside(shell, std::move(mesh));
         cooked.mesh = std::move(culled.mesh);
         cooked.cull = std::move(culled.report);
+        finish::Result finished = finish::finish_mesh(shell, cooked.mesh);
+        cooked.finished = std::move(finished.mesh);
+        cooked.finish = std::move(finished.report);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::bad_input) throw;
         cooked.refusal = error.what();
@@ -81,7 +95,24 @@ inline std::string fault_of(const TetMesh& mesh, const Shell& shell) {
     return {};
 }
 
-inline std::string fault_of(const Cooked& cooked) {
+// The first shell vertex that had a tet and has none any more, as text; empty: there is no such vertex.
+inline std::string lost_vertex(const TetMesh& before, const TetMesh& after) {
+    std::vector<bool> is_lost(before.shell_vertex_count);
+    const auto mark = [&](const TetMesh& mesh, bool value) {
+        for (const Tet& tet : mesh.tets) {
+            for (const Index node : tet) {
+                if (node < is_lost.size()) is_lost[node] = value;
+            }
+        }
+    };
+    mark(before, true);
+    mark(after, false);
+    const auto lost = std::find(is_lost.begin(), is_lost.end(), true);
+    return lost == is_lost.end() ? "" : "lost vertex " + std::to_string(lost - is_lost.begin());
+}
+
+// Empty: valid from cull to the end, no vertex lost on the way.
+inline std::string fault_but_for_touching(const Cooked& cooked) {
     for (const Finding& finding : validate(cooked.asset.shell)) return finding.code;
     if (std::string fault = fault_of(cooked.mesh, cooked.asset.shell); !fault.empty()) return fault;
     // A component may vanish, but never in silence.
@@ -89,26 +120,20 @@ inline std::string fault_of(const Cooked& cooked) {
         const bool is_lost = region.tets == 0 && region.role != Role::cavity;
         if (is_lost && !cooked.has("CULL_COMPONENT_WITHOUT_TETS")) return "lost " + region.name;
     }
-    return {};
+    if (std::string fault = fault_of(cooked.finished, cooked.asset.shell); !fault.empty()) return "finished: " + fault;
+    return lost_vertex(cooked.mesh, cooked.finished);
 }
 
-// The same once the culled mesh is finished: what had a tet of the shell's vertices keeps one.
-inline std::string fault_when_finished(const Cooked& cooked) {
-    const Shell& shell = cooked.asset.shell;
-    const TetMesh mesh = finish::finish_mesh(shell, cooked.mesh).mesh;
-    std::vector<bool> is_lost(shell.positions.size());
-    const auto mark = [&](const TetMesh& tets, bool value) {
-        for (const Tet& tet : tets.tets) {
-            for (const Index node : tet) {
-                if (node < is_lost.size()) is_lost[node] = value;
-            }
-        }
-    };
-    mark(cooked.mesh, true);
-    mark(mesh, false);
-    const auto lost = std::find(is_lost.begin(), is_lost.end(), true);
-    if (lost != is_lost.end()) return "lost vertex " + std::to_string(lost - is_lost.begin());
-    return fault_of(mesh, shell);
+// Places where the finished surface is no manifold.
+inline NonManifold touching(const Cooked& cooked) { return non_manifold(boundary_of(cooked.finished).faces); }
+
+// Empty: what a game should be given, with a manifold surface whatever the shell was.
+inline std::string fault_of(const Cooked& cooked) {
+    if (std::string fault = fault_but_for_touching(cooked); !fault.empty()) return fault;
+    const NonManifold left = touching(cooked);
+    if (left.edges.empty() && left.vertices.empty()) return {};
+    return std::to_string(left.edges.size()) + " edges and " + std::to_string(left.vertices.size()) +
+           " nodes where the surface touches itself";
 }
 
 }

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <functional>
+#include <string>
 
 #include "core/random.h"
-#include "dirty/dirty_shell.h"
+#include "dirty/dirty_bundle.h"
 #include "mesh/shapes.h"
 
 namespace crumple {
@@ -144,31 +144,75 @@ importer::Params fallback(Rng& random) {
     return params;
 }
 
+// Every eighth vertex is painted, so that locks get lost if any can.
+double red_of(std::size_t vertex) { return vertex % 8 == 0 ? 0 : 1; }
+
+// Counts what became of them.
+struct Outcomes {
+    std::uint64_t cooked = 0;
+    std::uint64_t bundled = 0;
+};
+
+// Where surfaces run through each other, repair does not always find a way to part them that loses no vertex. Then it
+// says so. Returns how many nodes are left.
+std::size_t expect_manifold_or_told(const Cooked& cooked) {
+    const NonManifold left = test::touching(cooked);
+    if (left.vertices.empty()) {
+        EXPECT_TRUE(left.edges.empty());
+        EXPECT_FALSE(cooked.has("FINISH_NON_MANIFOLD"));
+        return 0;
+    }
+    EXPECT_TRUE(cooked.has("SHELL_SELF_INTERSECTING") || cooked.has("SHELL_OVERLAPPING"));
+    EXPECT_TRUE(cooked.warns("FINISH_NON_MANIFOLD"));
+    EXPECT_EQ(cooked.finish.repair.nodes_left, left.vertices.size());
+    return left.vertices.size();
+}
+
+// And on to what a game loads.
+void expect_bundle_or_reason(Cooked cooked, std::size_t touching, Outcomes& outcomes) {
+    const test::Bundled bundled = test::bundle_of(std::move(cooked));
+    if (!bundled.refusal.empty()) {
+        EXPECT_GT(bundled.refusal.size(), 40u) << bundled.refusal;
+        return;
+    }
+    ++outcomes.bundled;
+    EXPECT_EQ(test::fault_of(bundled), "");
+    EXPECT_EQ(bundled.gates.figures.topology.non_manifold_vertices, touching);
+}
+
+void expect_mesh_or_reason(std::uint64_t seed, Outcomes& outcomes) {
+    Rng random(seed, 0);
+    const Shell shell = mutated(random);
+    const importer::Params params = fallback(random);
+    Cooked cooked;
+    try {
+        cooked = test::cook_shell(shell, params, red_of);
+    } catch (const Error& error) {  // a thickness too small for the place is the one usage error there is
+        EXPECT_EQ(error.kind(), ErrorKind::usage) << error.what();
+        EXPECT_GT(params.thicken, 0) << error.what();
+        return;
+    }
+    if (!cooked.refusal.empty()) {
+        EXPECT_GT(cooked.refusal.size(), 40u) << cooked.refusal;
+        return;
+    }
+    ++outcomes.cooked;
+    EXPECT_EQ(test::fault_but_for_touching(cooked), "");
+    const std::size_t touching = expect_manifold_or_told(cooked);
+    // The gates take as long as the rest.
+    if (seed % 3 == 0) expect_bundle_or_reason(std::move(cooked), touching, outcomes);
+}
+
 TEST(Mutated, EveryShellGivesAValidMeshOrAReason) {
     const bool is_full = std::getenv("CRUMPLE_FULL_TESTS") != nullptr;
     const std::uint64_t count = is_full ? 1000 : 50;
-    std::uint64_t cooked_count = 0;
+    Outcomes outcomes;
     for (std::uint64_t seed = 0; seed < count; ++seed) {
-        Rng random(seed, 0);
-        const Shell shell = mutated(random);
-        const importer::Params params = fallback(random);
-        Cooked cooked;
-        try {
-            cooked = test::cook_shell(shell, params);
-        } catch (const Error& error) {  // a thickness too small for the place is the one usage error there is
-            EXPECT_EQ(error.kind(), ErrorKind::usage) << "seed " << seed << ": " << error.what();
-            EXPECT_GT(params.thicken, 0) << "seed " << seed << ": " << error.what();
-            continue;
-        }
-        if (!cooked.refusal.empty()) {
-            EXPECT_GT(cooked.refusal.size(), 40u) << "seed " << seed;
-            continue;
-        }
-        ++cooked_count;
-        EXPECT_EQ(test::fault_of(cooked), "") << "seed " << seed;
-        EXPECT_EQ(test::fault_when_finished(cooked), "") << "seed " << seed;
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        expect_mesh_or_reason(seed, outcomes);
     }
-    EXPECT_GT(cooked_count, count / 3);  // the mutations are not all fatal
+    EXPECT_GT(outcomes.cooked, count / 3);  // the mutations are not all fatal
+    EXPECT_GE(outcomes.bundled, count / 5);
 }
 
 }
