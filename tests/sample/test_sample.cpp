@@ -82,6 +82,32 @@ TEST(Sample, AThinPlateNeedsNoPointsAndSaysSo) {
     EXPECT_TRUE(has_finding(result.report, "SAMPLE_NO_INTERIOR"));
 }
 
+TEST(Sample, AThinPlatesThicknessAndShareAreTold) {
+    const Report report = sample_count(shapes::thin_plate(0.02, 6), "auto").report;
+    EXPECT_FLOAT_EQ(static_cast<float>(report.thinnest), 0.02f);
+    EXPECT_EQ(report.thin_triangles, 2u * 2 * 6 * 6) << "both sides, not the rim";
+    EXPECT_NEAR(report.thin_share, 2 / (2 + 4 * 0.02), 1e-6);
+    const Report thick = sample_count(shapes::subdivided_box(4), "auto").report;
+    EXPECT_EQ(thick.thin_triangles, 0u);
+    EXPECT_EQ(thick.thin_share, 0);
+    EXPECT_EQ(thick.thinnest, 0);
+}
+
+// The mean edge of the plate's triangles is (2 + sqrt 2) / 18: a tenth of that is 0.01897.
+TEST(Sample, AThinPartIsAWarningBelowATenthOfItsEdges) {
+    const auto severity = [](double thickness) {
+        const Report report = sample_count(shapes::thin_plate(thickness, 6), "auto").report;
+        const auto thin = std::find_if(report.findings.begin(), report.findings.end(),
+                                       [](const Finding& f) { return f.code == "SAMPLE_THIN"; });
+        EXPECT_NE(thin, report.findings.end());
+        EXPECT_EQ(thin->count, report.thin_triangles);
+        EXPECT_EQ(thin->places.size(), max_places);
+        return thin->severity;
+    };
+    EXPECT_EQ(severity(0.0191), Severity::info);
+    EXPECT_EQ(severity(0.0188), Severity::warning);
+}
+
 TEST(Sample, AskingAThinPlateForPointsEndsSoonAndSaysSo) {
     for (const Method method : {Method::poisson, Method::uniform}) {
         const Result result = sample_count(shapes::thin_plate(), "50000", method);
