@@ -25,7 +25,7 @@ as_root() {
     fi
 }
 
-[ $# -gt 0 ] || fail "say which sections of packages.txt: build test bench check toolchains pictures"
+[ $# -gt 0 ] || fail "say which sections of packages.txt: build test bench check toolchains golden pictures"
 command -v dpkg-query >/dev/null || fail "works on Debian 12 and its relatives only; packages.txt lists what to install"
 
 missing=()

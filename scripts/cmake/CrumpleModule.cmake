@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The two functions every folder of the project is built with.
 #
-#   crumple_module(cull SOURCES cull.cpp classify.cpp USES core geometry mesh PACKAGES CGAL::CGAL [LICENSE MIT] [HOT])
-#   crumple_test(cull [SOURCES test_cull.cpp ...] [USES sample ...] [PACKAGES CGAL::CGAL])
+#   crumple_module(reference SOURCES reference.cpp USES core material bundle [PACKAGES Eigen3::Eigen] [LICENSE MIT] [HOT])
+#   crumple_test(recover [SOURCES test_recover.cpp ...] [USES sample ...] [PACKAGES CGAL::CGAL])
 #
 # A module may only use modules that were added before it, so the layers of lib/README.md hold at configure time.
 # Packages are linked PRIVATE: their headers appear in .cpp files only. HOT: what loops over whole meshes; a build that
