@@ -4,7 +4,7 @@
 //     0  ok                         4  a quality gate is not met
 //     1  usage: option, recipe      5  internal error: a bug
 //     2  a path cannot be opened,   6  out of the time or memory allowed
-//        read or written            7  check or compare found damage or a difference
+//        read or written            7  a bundle is damaged, or two differ
 //     3  the input is refused
 #pragma once
 #include <array>

@@ -78,10 +78,20 @@ void check_outputs(const SimulateFlags& flags) {
     if (flags.has_series) RunSeries(flags.output).check({flags.input, flags.scene});
 }
 
+// A damaged file is damage here too, as check and export call it; one without a bundle is whole.
+pipeline::Workspace read_bundle(const std::string& path) {
+    try {
+        return pipeline::read_work_file(path);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) throw;
+        throw Error(ErrorKind::difference, error.what());
+    }
+}
+
 int run_simulate(const SimulateFlags& flags, const Console& console) {
     const study::Scene scene = study::load_scene(flags.scene);
     check_outputs(flags);
-    const pipeline::Workspace work = pipeline::read_work_file(flags.input);
+    const pipeline::Workspace work = read_bundle(flags.input);
     if (!work.bundle)
         throw Error(ErrorKind::bad_input,
                     report::printable(flags.input) + ": there is no bundle yet; run crumple bake first");

@@ -95,6 +95,16 @@ class Simulate(program.Case):
         self.assertEqual(self.path("run_series").read_text(), "in the way")
         self.ok(self.simulate("wall", "--no-series"))
 
+    def test_damage_is_exit_7_as_in_every_verb_that_reads_a_bundle(self):
+        whole = self.output.read_bytes()
+        for damaged in [b"", b"no HDF5", whole[:5000], whole[:-1], whole[:9000] + bytes([whole[9000] ^ 1]) + whole[9001:]]:
+            self.output.write_bytes(damaged)
+            self.fails(self.simulate("wall"), 7, "out.hdf")
+            self.fails(program.run("export", self.output, "--blob", self.path("out.blob")), 7, "out.hdf")
+            self.assertFalse(self.run_file.exists())
+        self.output.unlink()
+        self.fails(self.simulate("wall"), 2, "out.hdf")
+
     def test_a_file_without_a_bundle_is_an_input_that_is_refused(self):
         shell = self.path("shell.hdf")
         self.ok(program.run("import", "--shell", program.SOURCE / "samples" / "car" / "car_shell.glb", "-o", shell))
