@@ -62,9 +62,10 @@ typedef struct crumple_jobs {
 
 typedef struct crumple_model crumple_model;
 
-/* The blob (`crumple export --blob`) is used where it lies: on a 64-byte boundary, unchanged until the model is
- * destroyed. It is opened and checked so that no step reads outside it. `problem` may be null; it receives a text that
- * is never freed, or null. */
+/* The blob (`crumple export --blob`) lies on a 64-byte boundary, unchanged until the model is destroyed. It is opened
+ * and checked so that nothing reads outside it. What a step needs of it is copied: only names, skinning and sensors
+ * read it afterwards, so most pages of a mapped file leave memory by themselves. `problem` may be null; it receives a
+ * text that is never freed, or null. */
 crumple_status crumple_model_create(const void* blob, size_t size, const crumple_allocator* allocator,
                                     crumple_model** model, const char** problem);
 /* After everything made from it. Null is fine, as for all destroy functions. */

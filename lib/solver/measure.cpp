@@ -33,7 +33,7 @@ double strain_energy(const TetPacket& packet, const TetState& state, std::size_t
 // The part of the strain beyond yield that the next step takes; multiplicative flow is left to it.
 double flow_of(const Model& model, const State& state, std::size_t t) {
     if (!state.shapes.empty()) return 0;
-    const ModelMaterial& m = model.materials[model.bundle.material[t]];
+    const ModelMaterial& m = model.materials[model.packets[t / packet_size].material[t % packet_size]];
     return flowing_part(m.creep_per_s, state.header->last_dt);
 }
 

@@ -9,7 +9,16 @@
 namespace crumple::solver {
 namespace {
 
+struct Copies {
+    std::span<Vec3f> rest_positions;
+    std::span<float> mass;
+    std::span<std::uint8_t> locked;
+    std::span<Tet> tets;
+    std::span<Index> edge_start;
+};
+
 struct Derived {
+    Copies copies;
     std::span<TetPacket> packets;
     SliceArrays slices;
     std::span<Index> incidence;
@@ -42,7 +51,22 @@ Derived take_arrays(const BundleView& view, Arena& arena) {
     d.alpha_mass = arena.take<float>(node_count);
     d.locked_nodes = arena.take<Index>(count_locked(view));
     d.materials = arena.take<ModelMaterial>(view.materials.size());
+    d.copies.rest_positions = arena.take<Vec3f>(node_count);
+    d.copies.mass = arena.take<float>(node_count);
+    d.copies.locked = arena.take<std::uint8_t>(node_count);
+    d.copies.tets = arena.take<Tet>(tet_count);
+    d.copies.edge_start = arena.take<Index>(view.edge_start.size());
     return d;
+}
+
+ModelArrays copy_arrays(const BundleView& view, const Copies& copies) {
+    const auto copy = [](const auto& from, const auto& to) { std::copy(from.begin(), from.end(), to.begin()); };
+    copy(view.rest_positions, copies.rest_positions);
+    copy(view.mass, copies.mass);
+    copy(view.locked, copies.locked);
+    copy(view.tets, copies.tets);
+    copy(view.edge_start, copies.edge_start);
+    return {copies.rest_positions, copies.mass, copies.locked, copies.tets, copies.edge_start};
 }
 
 struct Lame {
@@ -204,7 +228,7 @@ Model build_model(const BundleView& view, std::span<std::byte> memory) {
     model.group_count = d.slices.column.size() / slice_rows;
     model.slices = {d.slices.lane, d.slices.node, d.slices.start, d.slices.column};
     model.edge_block = d.slices.edge_block;
-    model.bundle = view;
+    model.bundle = copy_arrays(view, d.copies);
     model.ratio = d.packets[0].ratio[0];
     model.is_uniform = std::all_of(d.packets.begin(), d.packets.end(), [&](const TetPacket& packet) {
         return std::all_of(std::begin(packet.ratio), std::end(packet.ratio), [&](float r) { return r == model.ratio; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a step reads and never writes: a bundle's arrays where they lie, and what is derived from them once. One model
-// serves any number of states. N nodes, S simulated tets, E edges, B blocks.
+// What a step reads and never writes, all of it in the model's own memory: some of a bundle's arrays, and what is
+// derived from the others once. One model serves any number of states. N nodes, S simulated tets, E edges, B blocks.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace crumple::solver {
 
-// The arrays of a bundle (see bundle.h) that the solver needs, in memory the caller keeps.
+// The arrays of a bundle (see bundle.h) that a model is built from.
 struct BundleView {
     std::span<const Vec3f> rest_positions;               // N
     std::span<const float> mass;                         // N
@@ -47,12 +47,21 @@ struct ModelMaterial {
     float max_plastic_strain;
 };
 
+// Copies of a bundle's arrays.
+struct ModelArrays {
+    std::span<const Vec3f> rest_positions;  // N
+    std::span<const float> mass;            // N
+    std::span<const std::uint8_t> locked;   // N
+    std::span<const Tet> tets;              // S
+    std::span<const Index> edge_start;      // E + 1
+};
+
 struct Model {
     std::size_t node_count = 0;
     std::size_t tet_count = 0;
     std::size_t edge_count = 0;
     std::size_t group_count = 0;  // of eight blocks, see Slices
-    BundleView bundle;
+    ModelArrays bundle;
     bool is_uniform = true;  // lambda / mu is `ratio` everywhere
     float ratio = 0;
     double stiffness_volume = 0;  // sum of (lambda + 2 mu) V, J
@@ -71,8 +80,8 @@ struct Model {
 // REQUIRES of both: first_problem(view) is null.
 [[nodiscard]] std::size_t model_bytes(const BundleView& view);
 
-// REQUIRES: memory on a 64-byte boundary, model_bytes(view) of it; it and the view's arrays outlive the model. Throws
-// nothing.
+// REQUIRES: memory on a 64-byte boundary, model_bytes(view) of it, that outlives the model; the view's arrays may go.
+// Throws nothing.
 [[nodiscard]] Model build_model(const BundleView& view, std::span<std::byte> memory);
 
 }

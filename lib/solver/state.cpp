@@ -110,7 +110,7 @@ void move_nodes(const Model& model, State& state, std::span<const Vec3f> positio
     }
     for (std::size_t t = 0; t < model.packets.size() * packet_size; ++t) {
         const std::size_t real = std::min(t, model.tet_count - 1);
-        const float volume = 6 * model.bundle.volume[real];
+        const float volume = 6 * model.packets[real / packet_size].volume[real % packet_size];
         const CollapsePath path{corners_of(model.bundle.tets[real], from),
                                 corners_of(model.bundle.tets[real], positions), volume, degenerate_threshold};
         const bool is_fine = six_volumes(path.to) > degenerate_threshold * volume;

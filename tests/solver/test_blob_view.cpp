@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <memory>
 #include <numeric>
 
 #include "bundle/aligned_bytes.h"
@@ -28,17 +30,20 @@ AlignedBytes memory_for(std::size_t size) { return AlignedBytes(std::vector<std:
 
 }
 
-TEST(BlobView, StepsToTheSameBitsAsTheBundle) {
+TEST(BlobView, StepsToTheSameBitsAsTheBundleWhenTheBlobIsGone) {
     const Bundle bundle = hung_grid();
-    const AlignedBytes bytes(write_blob(bundle));
+    auto bytes = std::make_unique<AlignedBytes>(write_blob(bundle));
     Blob blob;
-    ASSERT_EQ(open_blob(bytes.get(), blob), nullptr);
+    ASSERT_EQ(open_blob(bytes->get(), blob), nullptr);
     std::vector<Material> materials(blob.materials.size());
     const BundleView view = view_of(blob, materials);
     ASSERT_EQ(first_problem(view), nullptr);
 
     const AlignedBytes model_memory = memory_for(model_bytes(view));
     const Model model = build_model(view, model_memory.get());
+    std::memset(bytes->get().data(), 0xff, bytes->get().size());
+    bytes.reset();
+    std::fill(materials.begin(), materials.end(), Material{});
     const AlignedBytes state_memory = memory_for(state_bytes(model, Plasticity::additive));
     const AlignedBytes workspace_memory = memory_for(workspace_bytes(model));
     State state = make_state(model, Plasticity::additive, state_memory.get());
