@@ -50,7 +50,7 @@ std::size_t count_inverted(const CarModel& shared, const Car& car) {
     return count;
 }
 
-// What a step needs when none is cut short.
+// What a step needs when none is cut short, and what then comes of it.
 void add_iterations(Rows& rows, const std::string& input, const CarModel& shared, Garage& garage) {
     solver::Settings settings;
     settings.tolerance = residual;
@@ -61,6 +61,7 @@ void add_iterations(Rows& rows, const std::string& input, const CarModel& shared
     rows.push_back(row("crash_iterations_median", input, median(counts), "to a residual of 1e-3"));
     rows.push_back(row("crash_iterations_p90", input, percentile(counts, 90), "to a residual of 1e-3"));
     rows.push_back(row("crash_iterations_most", input, percentile(counts, 100), "to a residual of 1e-3"));
+    rows.push_back(row("crash_dent_solved", input, deepest_dent(shared, car), "m"));
 }
 
 // With the 20 iterations a step that a game has.
