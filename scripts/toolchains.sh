@@ -67,14 +67,21 @@ build_runtime() {
 # wine keeps its registry in a folder of ours and is quiet.
 export WINEPREFIX="$PWD/build/toolchains/wine" WINEDEBUG=-all
 
-# One line a test program; what failed is told in full.
+# One line a test program; what failed is told in full. Every module has one, and a program that passed says how many
+# tests it ran.
 failed=()
 run_tests() {
-    local program summary
-    for program in build/toolchains/"$1"/crumple/tests/*/test_*; do
-        [ -x "$program" ] && [ -f "$program" ] || continue
-        summary="$(run_with "$1" "$program" --gtest_brief=1 2>&1 | tr -d '\r')" || { echo "$summary" >&2; failed+=("$1"); }
-        printf '%-8s %-14s %s\n' "$1" "$(basename "$program" .exe)" "$(grep -o '\[  PASSED  \].*' <<<"$summary")"
+    local module program summary passed
+    for module in core material bundle solver; do
+        program="build/toolchains/$1/crumple/tests/$module/test_$module"
+        [ -f "$program" ] || program+=.exe
+        if summary="$(run_with "$1" "$program" --gtest_brief=1 2>&1 | tr -d '\r')" &&
+            passed="$(grep -o '\[  PASSED  \] [1-9].*' <<<"$summary")"; then
+            printf '%-8s %-14s %s\n' "$1" "test_$module" "$passed"
+        else
+            echo "$summary" >&2
+            failed+=("$1: test_$module")
+        fi
     done
 }
 
@@ -85,7 +92,7 @@ for toolchain in "${toolchains[@]}"; do
     run_tests "$toolchain"
 done
 if [ ${#failed[@]} -gt 0 ]; then
-    echo "toolchains.sh: tests failed with: ${failed[*]}" >&2
+    echo "toolchains.sh: failed, or not there: $(printf '%s; ' "${failed[@]}")" >&2
     exit 1
 fi
 echo "every toolchain passed: ${toolchains[*]}" >&2
