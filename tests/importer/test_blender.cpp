@@ -74,12 +74,14 @@ TEST(Blender, GlbOfTheVertexDomainIsExact) {
 
 // Its exporter reads corner colours by vertex number: the file itself is wrong, so all one can do is to say so.
 TEST(Blender, GlbOfTheCornerDomainIsWarnedOf) {
-    const Report report = import_shell(fixture("blender.byte_corner.glb")).report;
-    EXPECT_NE(report.locked, 15u);
-    const Finding* finding = find(report.findings, "COLOR_MAYBE_SCRAMBLED");
-    ASSERT_NE(finding, nullptr);
-    EXPECT_TRUE(test::contains(finding->message, "Face Corner"));
-    EXPECT_TRUE(test::contains(report.shell.generator, "Blender"));
+    for (const char* name : {"blender.byte_corner.glb", "blender.float_corner.glb"}) {
+        const Report report = import_shell(fixture(name)).report;
+        EXPECT_NE(report.locked, 15u) << name;
+        const Finding* finding = find(report.findings, "COLOR_MAYBE_SCRAMBLED");
+        ASSERT_NE(finding, nullptr) << name;
+        EXPECT_TRUE(test::contains(finding->message, "Face Corner"));
+        EXPECT_TRUE(test::contains(report.shell.generator, "Blender"));
+    }
 }
 
 TEST(Blender, FbxInCentimetresAndTurnedByItsNodeIsRight) {
@@ -139,7 +141,10 @@ TEST(Blender, PlyOfByteCornersIsExact) { expect_truth(import_shell(fixture("blen
 
 // Its PLY exporter leaves every other kind of colour attribute out.
 TEST(Blender, PlyWithoutItsColoursSaysThatNothingIsLocked) {
-    EXPECT_TRUE(has(import_shell(fixture("blender.byte_point.ply")).report, "LOCK_NOTHING_PAINTED"));
+    for (const char* name : {"byte_point", "float_corner", "float_point"}) {
+        const Report report = import_shell(fixture(std::string("blender.") + name + ".ply")).report;
+        EXPECT_TRUE(has(report, "LOCK_NOTHING_PAINTED")) << name;
+    }
 }
 
 }
