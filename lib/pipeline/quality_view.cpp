@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/validate.h"
 #include "quality/embedding.h"
@@ -79,6 +80,16 @@ std::vector<Index> components_of(const Shell& shell, const Shown& shown) {
         }
     }
     return component;
+}
+
+// A node is as good as the worst tet at it; 0 where there is none.
+std::vector<float> worst_at_nodes(const Shown& shown, const std::vector<float>& of_tets) {
+    std::vector<float> worst(shown.positions.size(), std::numeric_limits<float>::infinity());
+    for (std::size_t t = 0; t < shown.tets.size(); ++t) {
+        for (const Index v : shown.tets[t]) worst[v] = std::min(worst[v], of_tets[t]);
+    }
+    std::replace(worst.begin(), worst.end(), std::numeric_limits<float>::infinity(), 0.0f);
+    return worst;
 }
 
 // Largest distance and weight of the visual vertices hung on each tet that is shown, and their number.
@@ -175,6 +186,8 @@ store::ViewFields quality_view(const Workspace& work) {
     const Shown shown = shown_of(work);
     if (!is_sound(shown)) return fields;
     quality::TetFields shape = quality::measure_fields(shown.positions, shown.tets);
+    fields.points.push_back({"min_dihedral_deg", worst_at_nodes(shown, shape.min_dihedral_deg)});
+    fields.points.push_back({"element_step_ratio", worst_at_nodes(shown, shape.element_step_ratio)});
     fields.cells.push_back({"min_dihedral_deg", std::move(shape.min_dihedral_deg)});
     fields.cells.push_back({"volume_lrms3", std::move(shape.volume_lrms3)});
     fields.cells.push_back({"element_step_ratio", std::move(shape.element_step_ratio)});

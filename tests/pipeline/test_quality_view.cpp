@@ -48,6 +48,24 @@ TEST(QualityView, TellsEveryTetOfTheBundleInItsOrder) {
     EXPECT_EQ(field<Index>(fields.points, "component"), std::vector<Index>(positions.size(), 0));
 }
 
+TEST(QualityView, ANodeIsAsGoodAsItsWorstTet) {
+    const Workspace work = small_work::cooked();
+    const store::ViewFields fields = quality_view(work);
+    for (const char* name : {"min_dihedral_deg", "element_step_ratio"}) {
+        const auto& of_nodes = field<float>(fields.points, name);
+        const auto& of_tets = field<float>(fields.cells, name);
+        ASSERT_EQ(of_nodes.size(), work.bundle->rest_positions.size());
+        for (Index v = 0; v < of_nodes.size(); ++v) {
+            float worst = 1e9f;
+            for (std::size_t t = 0; t < of_tets.size(); ++t) {
+                const Tet& tet = work.bundle->tets[t];
+                if (std::find(tet.begin(), tet.end(), v) != tet.end()) worst = std::min(worst, of_tets[t]);
+            }
+            EXPECT_EQ(of_nodes[v], worst);
+        }
+    }
+}
+
 TEST(QualityView, TellsEveryVisualVertexAndWhatHangsOnATet) {
     Workspace work = small_work::imported();
     work.asset->visuals[0].positions.push_back({1.5, 0, 0});  // outside the ball
