@@ -58,14 +58,14 @@ class CheckLayers(unittest.TestCase):
         self.expect_one("lib/mesh/bad.cpp:2", "CGAL")
 
     def test_package_that_a_header_brings_to_another_module(self):
-        self.module("geometry", "SOURCES g.cpp USES core")
-        self.write("lib/geometry/kernel.h", GPL + "#include <CGAL/Surface_mesh.h>\n")
-        self.write("lib/geometry/nef.h", GPL + '#include "geometry/kernel.h"\n')
-        self.write("lib/geometry/g.cpp", GPL + '#include "geometry/nef.h"\n')
+        self.module("store", "SOURCES g.cpp USES core")
+        self.write("lib/store/hdf5_types.h", GPL + "#include <hdf5.h>\n")
+        self.write("lib/store/file.h", GPL + '#include "store/hdf5_types.h"\n')
+        self.write("lib/store/g.cpp", GPL + '#include "store/file.h"\n')
         self.assertEqual(self.found(), [])
-        self.module("cull", "SOURCES cull.cpp USES core geometry")
-        self.write("lib/cull/cull.cpp", GPL + '#include "geometry/nef.h"\n')
-        self.expect_one("lib/cull/cull.cpp:2", "geometry/nef.h", "heavy package")
+        self.module("cull", "SOURCES cull.cpp USES core store")
+        self.write("lib/cull/cull.cpp", GPL + '#include "store/file.h"\n')
+        self.expect_one("lib/cull/cull.cpp:2", "store/file.h", "heavy package")
 
     def test_mit_module_that_reaches_a_gpl_one_through_another(self):
         self.module("bundle", "LICENSE MIT SOURCES b.cpp USES solver")
