@@ -12,6 +12,9 @@
 
 namespace crumple::quality {
 
+inline constexpr double never = 1e9;  // a limit that no figure goes beyond
+
+// No figure is negative: a limit of 0 switches one off that is a lower limit, `never` one that is an upper limit.
 struct Gate {
     double fail = 0;
     double warn = 0;
@@ -19,11 +22,9 @@ struct Gate {
 
 template <class Visitor, FieldsOf<Gate> G>
 void describe(Visitor& visit, G& g) {
-    visit.field("fail", g.fail, "beyond this the mesh is refused");
-    visit.field("warn", g.warn, "beyond this it is warned of");
+    visit.field("fail", g.fail, Range{0, never}, "beyond this the mesh is refused");
+    visit.field("warn", g.warn, Range{0, never}, "beyond this it is warned of");
 }
-
-inline constexpr double never = 1e9;  // a limit that no figure goes beyond
 
 // Where a figure is wanted: above the limits of its gate, or below them. The limit itself is allowed.
 enum class Wanted { high, low };
