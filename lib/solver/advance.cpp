@@ -152,7 +152,7 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
                                        [](const Constraint& c) { return !(c.velocity == Vec3f{}); });
     for (;;) {
         const Trial trial = propose(model, state, w, input, whole.locks);
-        const double work = trial.work + ledger.wind.work + constraint_work(model, w, input);
+        const double work = trial.work + ledger.wind.work + constraint_work(model, w, constraints.partial, input);
         budget = std::max(put_in + work, 0.0);
         result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
         result.has_overflowed = result.has_overflowed || trial.has_overflowed;

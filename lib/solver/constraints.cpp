@@ -143,12 +143,18 @@ Vec3f constraint_impulse(const Model& model, const Workspace& w, const Constrain
     return c.kind == ConstraintKind::contact && dot(taken, c.normal) < 0 ? Vec3f{} : taken;
 }
 
-double constraint_work(const Model& model, const Workspace& w, const StepInput& input) {
+double constraint_work(const Model& model, const Workspace& w, std::size_t partial_count, const StepInput& input) {
     double work = 0;
+    const auto add = [&](const Constraint& c, Vec3f impulse) { work += static_cast<double>(dot(impulse, c.velocity)); };
     for (std::size_t i = 0; i < input.constraints.size(); ++i) {
         const Constraint& c = input.constraints[i];
-        if (c.node >= model.node_count || w.constraint[c.node] != i + 1 || c.velocity == Vec3f{}) continue;
-        work += static_cast<double>(dot(constraint_impulse(model, w, c), c.velocity));
+        if (c.node >= model.node_count || w.constraint[c.node] != i + 1 || c.kind != ConstraintKind::fixed) continue;
+        if (!(c.velocity == Vec3f{})) add(c, unbalanced(model, w, c.node));
+    }
+    for (const Partial& partial : w.partials.first(partial_count)) {
+        const Constraint& c = input.constraints[w.constraint[partial.node] - 1];
+        // What the solve left undone at a contact that has let go is no push.
+        if (partial.taken_count > 0 && !(c.velocity == Vec3f{})) add(c, constraint_impulse(model, w, c));
     }
     return work;
 }

@@ -40,7 +40,8 @@ void constrain_inverse(const Model& model, Workspace& workspace, const Partial& 
 [[nodiscard]] Vec3f constraint_impulse(const Model& model, const Workspace& workspace, const Constraint& constraint);
 
 // What moving constraints do to the body on the way of this step, J.
-[[nodiscard]] double constraint_work(const Model& model, const Workspace& workspace, const StepInput& input);
+[[nodiscard]] double constraint_work(const Model& model, const Workspace& workspace, std::size_t partial_count,
+                                     const StepInput& input);
 
 // A dv - b of the constrained directions over dt.
 void write_reactions(const Model& model, const Workspace& workspace, std::size_t partial_count, const StepInput& input);
