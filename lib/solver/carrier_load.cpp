@@ -9,7 +9,7 @@
 namespace crumple::solver {
 namespace {
 
-// Each pass leaves of the error the part of the mass that has shifted.
+// Each pass leaves of the error about the part of a radian that the whole turns in the step.
 constexpr int passes = 8;
 
 // v turned by a rotation vector.
@@ -26,12 +26,16 @@ public:
     explicit RestBody(const PointMasses& masses)
         : mass_(masses.mass()), matrix_(masses.matrix()), inverse_(inverse_of(matrix_, 1e-12)) {}
 
-    // The change of its motion for a push, where it weighs `mass` at least.
-    [[nodiscard]] Six answer_to(const Six& push, double mass) const {
-        const double more = std::max(1.0, mass / mass_);
-        Six answer = times(inverse_, push);
-        for (double& x : answer) x /= more;
-        return answer;
+    // Of the whole as it is now, where the carrier weighs `mass` at least.
+    [[nodiscard]] Matrix6 whole(double mass, const NodeShare& share) const {
+        Matrix6 sum = share.shifted;
+        for (std::size_t i = 0; i < 36; ++i) sum[i] += std::max(1.0, mass / mass_) * matrix_[i];
+        return sum;
+    }
+    // What of a push a change of its motion does not take.
+    [[nodiscard]] Six left_of(Six push, const Six& change, double mass) const {
+        add_to(push, -std::max(1.0, mass / mass_), times(matrix_, change));
+        return push;
     }
 
     // How it turns once it has turned on for a step: its angular momentum stays where it was in the world.
@@ -73,6 +77,7 @@ CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, 
     const Vec3 turn = frame.from_world(input.angular_velocity);
     const NodeShare after = share_of(model, state);
     const RestBody body(model.rest_mass);
+    const Matrix6 inverse = inverse_of(body.whole(input.carrier_mass, after), 1e-12);
     Six push = input.given;
     add_to(push, 1, input.before.at(turn));
     // What is left to a free carrier depends on how it will turn. Seen from the world the nodes' share turns too.
@@ -86,12 +91,14 @@ CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, 
         force = linear_part(push) - turned(linear_part(left), new_turn * dt);
         torque = angular_part(push) - turned(angular_part(left), new_turn * dt) - lever;
         if (!input.is_carrier_free) break;
-        const Six next = body.answer_to({force.x, force.y, force.z, torque.x, torque.y, torque.z}, input.carrier_mass);
-        const double change = length(angular_part(next) - angular_part(answer));
-        // The lever comes with the second pass. A body that has left its carrier behind never settles.
+        const Six missing =
+            body.left_of({force.x, force.y, force.z, torque.x, torque.y, torque.z}, answer, input.carrier_mass);
+        const Six more = times(inverse, missing);
+        const double change = length(angular_part(more));
+        // What turns by more than a radian in the step never settles.
         if (pass > 1 && !(change < last_change)) break;
         last_change = change;
-        answer = next;
+        add_to(answer, 1, more);
         new_turn = turn + angular_part(answer);
     }
     return {frame.to_world(force / dt), frame.to_world(torque / dt)};

@@ -127,6 +127,7 @@ StepInput step_input_of(const InstanceInput& input, const Frame& frame, Wind& wi
     step.has_free_carrier = input.is_carrier_free;
     step.carrier_mass = input.carrier_mass;
     step.forces = input.forces;
+    step.reactions = input.reactions;
     if (input.wind) {
         wind = *input.wind;
         wind.velocity = frame.velocity(input.carrier.position, widen(wind.velocity));

@@ -33,6 +33,7 @@ struct InstanceInput {
     std::span<const Vec3f> forces;            // N or empty
     std::span<const Constraint> constraints;  // beside locks; a node named here feels no obstacle
     std::span<Constraint> room;               // for `constraints` and the contacts: as many as may happen at once
+    std::span<Vec3f> reactions;               // N or empty, see StepInput; untouched by a sleeper
     SleepSettings sleep;
     bool may_sleep = true;
 };
