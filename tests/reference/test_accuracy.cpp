@@ -88,13 +88,26 @@ TEST(A4CantileverSmall, RestsWhereTheReferenceDoes) {
     EXPECT_NEAR(runtime_tip(b, 1, 1500).y, truth.y, 1e-3 * std::fabs(truth.y));
 }
 
+TEST(A4CantileverSmall, SizeAndNodeOrderDoNotMatter) {
+    const Vec3 truth = true_tip(beam(0.01));
+    for (const float size : {0.01f, 100.0f}) {
+        for (const bool is_shuffled : {false, true}) {
+            Beam b = beam(0.01, size, is_shuffled);
+            b.bundle.materials[0].alpha_per_s = 2 / size;
+            const Vec3 tip = runtime_tip(b, size, 1500);
+            EXPECT_NEAR(tip.y / size, truth.y, 1e-4 * std::fabs(truth.y)) << size << is_shuffled;
+        }
+    }
+}
+
 TEST(A4CantileverSmall, TheReferenceIsLinearAsCalculixIs) {
     const double truth = calculix::grid_linear[0].down;
     EXPECT_NEAR(true_tip(beam(0.01), true).y, truth, 1e-6 * std::fabs(truth));
 }
 
 // CalculiX strains by Green. So can the reference; corotated strain differs from it by the order of the strain, which
-// is large on a mesh this coarse.
+// is large on a mesh this coarse: 0.41 % in w where 0.3 % is wanted of the bar of 5,326 tets, which has 0.08 %
+// (`tip_error` of the benchmarks).
 TEST(A5CantileverLarge, TheReferenceRestsWhereCalculixDoes) {
     for (const calculix::Tip& tip : calculix::grid_tips) {
         const Beam b = beam(tip.k);
@@ -104,7 +117,7 @@ TEST(A5CantileverLarge, TheReferenceRestsWhereCalculixDoes) {
         EXPECT_NEAR(green.y, tip.down, 1e-4 * std::fabs(tip.down)) << tip.k;
         EXPECT_NEAR(green.x, tip.along, 1e-4 * std::fabs(tip.along)) << tip.k;
         const Vec3 corotated = true_tip(b);
-        EXPECT_NEAR(corotated.y, tip.down, 0.005 * std::fabs(tip.down)) << tip.k;
+        EXPECT_NEAR(corotated.y, tip.down, 0.0042 * std::fabs(tip.down)) << tip.k;
         EXPECT_NEAR(corotated.x, tip.along, 0.02 * std::fabs(tip.along)) << tip.k;
     }
 }
@@ -133,8 +146,8 @@ TEST(A5CantileverLarge, RestsWhereTheReferenceDoesAtAnySizeAndNodeOrder) {
             // The same damping per step at any size.
             b.bundle.materials[0].alpha_per_s = 2 / size;
             const Vec3 tip = runtime_tip(b, size, 1200);
-            EXPECT_NEAR(tip.y / size, truth.y, 3e-4 * std::fabs(truth.y)) << size << is_shuffled;
-            EXPECT_NEAR(tip.x / size, truth.x, 1e-3 * std::fabs(truth.x)) << size << is_shuffled;
+            EXPECT_NEAR(tip.y / size, truth.y, 1e-4 * std::fabs(truth.y)) << size << is_shuffled;
+            EXPECT_NEAR(tip.x / size, truth.x, 1e-4 * std::fabs(truth.x)) << size << is_shuffled;
         }
     }
 }

@@ -142,6 +142,31 @@ TEST(A3VolumeGrowth, LinearGrowsByItsFormulaAndCorotationalDoesNot) {
     }
 }
 
+// A3: linear elasticity sees no strain in F = I + W, W antisymmetric, which is a turn by theta and a growth by
+// 1 / cos^2(theta); ours comes back.
+TEST(A3VolumeGrowth, LinearRestsInAStateThatHasGrownAndCorotationalDoesNot) {
+    const Bundle bundle = regular_tet();
+    for (const double degrees : {15.0, 30.0, 45.0, 60.0}) {
+        const double theta = degrees * 3.14159265358979 / 180;
+        for (const bool is_linear : {true, false}) {
+            Body body = body_at_rest(bundle);
+            const Vec3 w = Vec3{1, 2, 2} * (std::tan(theta) / 3);
+            for (Vec3& p : body.positions) p += cross(w, p);
+            StepInput input;
+            input.is_linear = is_linear;
+            for (int i = 0; i < 2000; ++i) step(body, input);
+            const Matrix3 f = deformation_gradient(body, 0);
+            const double volume = f[0] * (f[4] * f[8] - f[5] * f[7]) - f[1] * (f[3] * f[8] - f[5] * f[6]) +
+                                  f[2] * (f[3] * f[7] - f[4] * f[6]);
+            const double grown = 1 / (std::cos(theta) * std::cos(theta));
+            EXPECT_NEAR(volume, is_linear ? grown : 1, is_linear ? 0.01 * grown : 1e-3) << degrees;
+            if (!is_linear) continue;
+            const Matrix3 r = nearest_rotation(f);
+            EXPECT_NEAR((r[0] + r[4] + r[8] - 1) / 2, std::cos(theta), 1e-3) << degrees;
+        }
+    }
+}
+
 // A7: an undamped cantilever swings at the lowest frequency of its own mesh; implicit Euler takes w dt / 2 of critical
 // damping off it.
 TEST(A7Vibration, SwingsAtTheLowestFrequencyOfItsMesh) {

@@ -276,8 +276,8 @@ TEST(Carrier, ACrashKeepsTheMomentumOfBodyAndDeformation) {
         const Vec3 torque = Frame(before).to_world(given.angular_impulse) + cross(before.position - centre, push);
         add_to(expected, 1, {push.x, push.y, push.z, torque.x, torque.y, torque.z});
         EXPECT_LT(length(rider.momentum() - linear_part(expected)), 1e-4 * size) << i;
-        // The bumper is crushed by half its length, at 60 steps a second.
-        EXPECT_LT(length(rider.spin() - angular_part(expected)), 2e-4 * size * 1.8) << i;
+        // 1e-4 is wanted. The bumper is crushed by half its length, at 60 steps a second: 1.44e-4.
+        EXPECT_LT(length(rider.spin() - angular_part(expected)), 1.5e-4 * size * 1.8) << i;
     }
     EXPECT_GT(rider.motion.velocity.x, -5);  // it did hit
 }

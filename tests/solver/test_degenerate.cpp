@@ -49,9 +49,9 @@ double recovery_time(Body& body, double limit) {
     return limit;
 }
 
-Body scrambled(int cells, std::uint64_t seed, const Settings& settings) {
+Body scrambled(int cells, std::uint64_t seed, const Settings& settings, const Material& material) {
     const float size = 1.0f / static_cast<float>(cells);
-    Body body(grid_body({cells, cells, cells}, {size, size, size}, elastic_material(1e6)), settings);
+    Body body(grid_body({cells, cells, cells}, {size, size, size}, material), settings);
     Rng rng(seed);
     body.set_positions([&](Vec3f) { return (random_vector(rng) + Vec3f{1, 1, 1}) * 0.5f; });
     return body;
@@ -148,7 +148,7 @@ TEST(S1Scramble, EverySeedRecoversAndSoonerThanBySvd) {
     const auto median = [](const Settings& settings) {
         std::vector<double> times;
         for (std::uint64_t seed = 0; seed < 11; ++seed) {
-            Body body = scrambled(4, seed, settings);
+            Body body = scrambled(4, seed, settings, elastic_material(1e6));
             times.push_back(recovery_time(body, 20));
             EXPECT_LT(times.back(), 20) << "seed " << seed;
         }
@@ -164,6 +164,26 @@ TEST(S1Scramble, EverySeedRecoversAndSoonerThanBySvd) {
     EXPECT_LT(median(with(Treatment::reflect)), 0.6 * svd);
     EXPECT_LT(median(with(Treatment::project)), 0.7 * svd);
     EXPECT_LT(median(with(Treatment::smooth)), 0.7 * svd);
+}
+
+// S1 over materials. All are to recover; with nu = .45 reflection leaves about a quarter of the seeds with up to four
+// tets that hold each other inside out, an exact solve as well.
+TEST(S1Scramble, EveryMaterialRecovers) {
+    const auto seeds = test::effort<std::uint64_t>(1, 100, 0);
+    for (const Treatment treatment : {Treatment::reflect, Treatment::project}) {
+        for (const double young : {1e4, 1e5, 1e6, 1e7}) {
+            for (const double poisson : {0.1, 0.3, 0.45}) {
+                if (seeds == 1 && poisson > 0.4) continue;
+                std::uint64_t whole = 0;
+                for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+                    Body body = scrambled(4, seed, with(treatment), elastic_material(young, poisson));
+                    whole += recovery_time(body, 20) < 20 ? 1 : 0;
+                }
+                EXPECT_GE(whole, poisson > 0.4 ? seeds / 2 : seeds)
+                    << name_of(treatment) << " " << young << " " << poisson;
+            }
+        }
+    }
 }
 
 // S2 and S5: a corner is pushed through its face, slides aside and comes back. The rotation follows without a jump and
@@ -186,9 +206,9 @@ TEST(S5PullThrough, RotationIsCoherentAndTheTetOpensToTheSideItCameFrom) {
             }
             return jump;
         };
-        // 0.01 of the height a step: a coherent rotation turns by a few times that, a flip by 2 or more.
-        const float jump = std::max(drag({0.3f, 0.3f, -2}, 100), drag({0.5f, -0.2f, 0}, 60));
-        EXPECT_LT(jump, 0.3f) << name_of(treatment);
+        // No more than 2 |v| dt / h; a flip is 2 or more.
+        EXPECT_LT(drag({0.3f, 0.3f, -2}, 100), 2 * 2.05f * 0.01f) << name_of(treatment);
+        EXPECT_LT(drag({0.5f, -0.2f, 0}, 60), 2 * 0.54f * 0.01f) << name_of(treatment);
         EXPECT_LT(body.x(3).z, -0.5f);
         for (int i = 0; i < 600; ++i) body.step(0.02f);
         EXPECT_GT(body.x(3).z, 0.2f) << name_of(treatment);

@@ -132,6 +132,19 @@ TEST(A8Momentum, LinearMomentumStaysAndAngularDriftHalvesWithDt) {
     EXPECT_LT(drift[2], 0.65 * drift[1]);
 }
 
+TEST(A8Momentum, LinearMomentumStaysForAThousandSteps) {
+    Body body(grid_body({2, 2, 2}, {0.5f, 0.5f, 0.5f}, elastic_material(1e5)), exact());
+    Rng rng(8);
+    body.set_velocities([&](Vec3f) { return random_vector(rng); });
+    double size = 0;
+    for (std::size_t i = 0; i < body.node_count(); ++i) {
+        size += body.bundle.mass[i] * static_cast<double>(length(velocity(body.state, i)));
+    }
+    const Vec3 before = linear_momentum(body.model, body.state);
+    for (int i = 0; i < test::effort(1000, 1000, 50); ++i) body.step(0.005f);
+    EXPECT_LT(length(linear_momentum(body.model, body.state) - before), 1e-6 * size);
+}
+
 TEST(A8Momentum, PolarRotationsGiveNoTorqueAndQrDoes) {
     for (const RotationMethod rotation :
          {RotationMethod::apd, RotationMethod::polar, RotationMethod::svd_smallest, RotationMethod::qr}) {

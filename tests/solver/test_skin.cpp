@@ -211,6 +211,25 @@ TEST(A14Sensor, NoiseBarelyTurnsItAndAMirrorImageNeverMirrorsIt) {
     EXPECT_GT(mirrored.deformation, 1);
 }
 
+// Of a cluster that is as wide in all directions, a stretch along any axes is no turn.
+TEST(A14Sensor, AffineNoiseDoesNotTurnIt) {
+    Body body = loose_bar();
+    const BundleSensor sensor = sensor_on(body, [](Vec3f p) { return p.x < 0.7f; });
+    ASSERT_EQ(sensor.node.size(), 27u);
+    Rng rng(15);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3f a = random_vector(rng);
+        const Vec3f b = random_vector(rng);
+        const Mat3 stretch = Mat3::identity() + (outer(a, a) + outer(b, b)) * 0.02f;
+        const Mat3 r = random_rotation(rng);
+        body.set_positions([&](Vec3f p) { return r * (stretch * p); });
+        SensorMemory memory;
+        const SensorReading reading = read_sensor(body.model, body.state, view_of(sensor), memory, 0);
+        EXPECT_LT(norm(to_matrix(reading.orientation) - r), 1e-5f) << i;
+        EXPECT_LT(length(reading.origin - r * (stretch * sensor.rest_origin)), 1e-6f * 1.8f) << i;
+    }
+}
+
 TEST(Sensor, MeasuresAccelerationAndPlasticStrain) {
     Material m = elastic_material(1e6);
     m.yield_pa = 1e3;

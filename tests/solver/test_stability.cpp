@@ -176,16 +176,19 @@ TEST(S6Slivers, AFlatBodyOfTinyAnglesStaysBounded) {
         // so and raises them.
         const bool is_too_stiff = (body.step(1.0f / 60).warnings & step_too_stiff) != 0;
         EXPECT_EQ(is_too_stiff, flat < 5e-3f) << flat;
-        EXPECT_LT(total_energy(body), (is_too_stiff ? 50 : 1.05) * before) << flat;
+        EXPECT_LT(total_energy(body), (is_too_stiff ? 2 : 1.05) * before) << flat;
     }
 }
 
 // S7: a stretched body let go only loses energy to the implicit step.
 TEST(S7StiffnessSweep, AStretchedFreeBodyNeverGainsEnergy) {
-    for (const double young : {1e3, 1e5, 1e7}) {
+    const std::vector<double> youngs =
+        test::effort<std::vector<double>>({1e3, 1e5, 1e7}, {1e3, 1e4, 1e5, 1e6, 1e7}, {1e5});
+    const std::vector<double> rates = test::effort<std::vector<double>>({30, 240}, {30, 60, 120, 240}, {30});
+    for (const double young : youngs) {
         for (const double poisson : {0.0, 0.3, 0.499}) {
-            for (const double rate : {30.0, 240.0}) {
-                if (test::is_emulated() && (poisson == 0.3 || rate == 240)) continue;
+            for (const double rate : rates) {
+                if (test::is_emulated() && poisson == 0.3) continue;
                 Settings settings;
                 settings.max_iterations = 200;
                 settings.tolerance = 1e-5;
