@@ -103,11 +103,13 @@ const Mutation mutations[] = {
         s.locked.push_back(0);
         s.source_vertex.push_back(0);
     },
-    [](Shell& s, Rng& r) {  // every triangle on its own, all slightly apart
+    [](Shell& s, Rng& r) {  // every triangle on its own, all slightly apart; of many about a hundred stay
         Shell torn;
-        for (const Triangle& t : s.triangles) {
+        const std::size_t stride = 1 + s.triangles.size() / 100;
+        for (std::size_t i = 0; i < s.triangles.size(); i += stride) {
             const auto first = static_cast<Index>(torn.positions.size());
-            for (const Index v : t) torn.positions.push_back(round_to_float(s.positions[v] + anywhere(r, 1e-3)));
+            for (const Index v : s.triangles[i])
+                torn.positions.push_back(round_to_float(s.positions[v] + anywhere(r, 1e-3)));
             torn.triangles.push_back({first, first + 1, first + 2});
         }
         torn.component.assign(torn.triangles.size(), 0);
@@ -201,8 +203,7 @@ void expect_mesh_or_reason(std::uint64_t seed, Outcomes& outcomes) {
     ++outcomes.cooked;
     EXPECT_EQ(test::fault_but_for_touching(cooked), "");
     const std::size_t touching = expect_manifold_or_told(cooked);
-    // The gates take as long as the rest.
-    if (seed % 3 == 0) expect_bundle_or_reason(std::move(cooked), touching, outcomes);
+    expect_bundle_or_reason(std::move(cooked), touching, outcomes);
 }
 
 TEST(Mutated, EveryShellGivesAValidMeshOrAReason) {
@@ -214,7 +215,7 @@ TEST(Mutated, EveryShellGivesAValidMeshOrAReason) {
         expect_mesh_or_reason(seed, outcomes);
     }
     EXPECT_GT(outcomes.cooked, count / 3);  // the mutations are not all fatal
-    EXPECT_GE(outcomes.bundled, count / 5);
+    EXPECT_GT(outcomes.bundled, count / 5);
 }
 
 }
