@@ -257,6 +257,36 @@ typedef struct crumple_report {
 crumple_status crumple_step(crumple_instance* instance, crumple_workspace* workspace, const crumple_input* input,
                             const crumple_jobs* jobs, crumple_report* report);
 
+/* ---- Keyframes: nodes that follow curves (spline.h). ---- */
+
+enum { CRUMPLE_CATMULL_ROM, CRUMPLE_NATURAL_CUBIC };
+
+/* Times ascend, in seconds. No keys: it stays 0. */
+typedef struct crumple_spline {
+    const float* times;
+    const crumple_vec3f* values;
+    const crumple_vec3f* slopes; /* of crumple_find_slopes */
+    size_t key_count;
+} crumple_spline;
+
+/* Fills the slopes. scratch: a number a key, of no use afterwards. */
+crumple_status crumple_find_slopes(uint32_t kind, const float* times, const crumple_vec3f* values, size_t key_count,
+                                   crumple_vec3f* slopes, float* scratch);
+
+/* Nodes moved as one rigid thing: x = pivot + R(turn) (rest - pivot) + shift, turn a rotation vector in radians. */
+typedef struct crumple_handle {
+    const uint32_t* nodes;
+    size_t node_count;
+    crumple_vec3f pivot;
+    crumple_spline shift;
+    crumple_spline turn;
+} crumple_handle;
+
+/* Constraints, one a node, that bring the nodes to where the handle is at time + dt: for crumple_input. Room for fewer
+ * is refused. */
+crumple_status crumple_drive(const crumple_instance* instance, const crumple_handle* handle, float time, float dt,
+                             crumple_constraint* constraints, size_t room);
+
 /* ---- What is drawn. ---- */
 
 /* [*first, *last): vertices of a visual mesh that hang on a node which moved more than `tolerance` metres since

@@ -80,6 +80,50 @@ static void read_roof(const crumple_model* model, crumple_instance* body, used_c
         used->failure = "no such sensor";
 }
 
+/* Lifts the last node by a curve, and sees that it follows. */
+static void lift_a_node(const crumple_model* model, crumple_instance* body, crumple_workspace* work,
+                        used_c_interface* used) {
+    const float times[] = {0, 0.1f, 0.2f};
+    const float standing_still[] = {1, 1, 1};
+    const crumple_vec3f values[] = {{0, 0, 0}, {0, 0.1f, 0}, {0, 0.1f, 0.1f}};
+    crumple_vec3f slopes[3];
+    float scratch[3];
+    const uint32_t node = crumple_model_info(model).nodes - 1;
+    const float* at = crumple_positions(body) + 4 * node;
+    const crumple_vec3f rest = crumple_rest_positions(model)[node];
+    crumple_constraint constraint;
+    crumple_handle handle;
+    crumple_input input = crumple_default_input();
+    int i;
+    memset(&handle, 0, sizeof handle);
+    handle.nodes = &node;
+    handle.node_count = 1;
+    handle.shift.times = times;
+    handle.shift.values = values;
+    handle.shift.slopes = slopes;
+    handle.shift.key_count = 3;
+    input.constraints = &constraint;
+    input.constraint_count = 1;
+    input.may_sleep = 0;
+    if (crumple_find_slopes(CRUMPLE_NATURAL_CUBIC, times, values, 3, slopes, scratch) != CRUMPLE_OK)
+        used->failure = "slopes";
+    for (i = 0; i < 20; ++i) {
+        if (crumple_drive(body, &handle, (float)i * input.dt, input.dt, &constraint, 1) != CRUMPLE_OK)
+            used->failure = "drive";
+        if (crumple_step(body, work, &input, NULL, NULL) != CRUMPLE_OK) used->failure = "driven step";
+    }
+    /* The body is crushed, and steps that are cut short leave the node a little off. */
+    if (!(at[1] - rest.y > 0.095f && at[1] - rest.y < 0.105f && at[2] - rest.z > 0.095f && at[2] - rest.z < 0.105f))
+        used->failure = "the node did not follow";
+    if (crumple_drive(body, &handle, 0, input.dt, &constraint, 0) != CRUMPLE_BAD_ARGUMENT) used->failure = "no room";
+    handle.shift.times = standing_still;
+    if (crumple_drive(body, &handle, 0, input.dt, &constraint, 1) != CRUMPLE_BAD_ARGUMENT)
+        used->failure = "times that do not ascend";
+    handle.shift.times = NULL;
+    if (crumple_drive(body, &handle, 0, input.dt, &constraint, 1) != CRUMPLE_BAD_ARGUMENT)
+        used->failure = "a curve without times";
+}
+
 void use_c_interface(const void* blob, size_t size, const crumple_allocator* allocator, const crumple_jobs* jobs,
                      used_c_interface* used) {
     crumple_model* model = NULL;
@@ -99,6 +143,7 @@ void use_c_interface(const void* blob, size_t size, const crumple_allocator* all
         draw(model, body, jobs, used);
         read_roof(model, body, used);
         memcpy(used->positions, crumple_positions(body), 4 * sizeof(float) * crumple_model_info(model).nodes);
+        lift_a_node(model, body, work, used);
     }
     crumple_instance_destroy(body);
     crumple_workspace_destroy(work);

@@ -19,7 +19,8 @@ typedef struct used_c_interface {
     float* positions; /* four floats a node of the caller's, filled at the end */
 } used_c_interface;
 
-/* Drops a body on a floor, saves, goes on, restores, goes on again, skins and reads a sensor. */
+/* Drops a body on a floor, saves, goes on, restores, goes on again, skins, reads a sensor and lifts a node by a curve.
+ */
 void use_c_interface(const void* blob, size_t size, const crumple_allocator* allocator, const crumple_jobs* jobs,
                      used_c_interface* used);
 
