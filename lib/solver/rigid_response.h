@@ -11,7 +11,7 @@ struct RigidResponse {
     bool is_given = false;
     Six motion{};  // after the step
     Six jump{};    // what of it comes from constraints and contacts
-    Six slide{};   // its translation alone
+    Six slide{};   // a translation near it that meets the constraints too
     Six haven{};   // the motion, or the slide where it turns so far in the step that straight ways strain the body
 };
 
