@@ -13,6 +13,7 @@
 #include "gates/gates.h"
 #include "importer/import.h"
 #include "pipeline/bundle_gates.h"
+#include "pipeline/contradictions.h"
 #include "pipeline/input_digests.h"
 #include "recover/recover.h"
 #include "relax/relax.h"
@@ -36,6 +37,10 @@ sample::Report run_sample(Workspace& work, const sample::Params& params, const C
 }
 
 delaunay::Report run_delaunay(Workspace& work, const delaunay::Params& params, const Context& context) {
+    if (work.asset && !begins_with_shell(work.points->positions, work.points->shell_vertex_count, work.asset->shell)) {
+        throw Error(ErrorKind::bad_input,
+                    "the points are not those of the shell, whose vertices have moved since; run crumple sample again");
+    }
     auto result = delaunay::tetrahedralize(*work.points, params, context);
     if (result.mesh.tets.empty()) {
         const auto& findings = result.report.findings;

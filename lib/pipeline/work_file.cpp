@@ -2,7 +2,9 @@
 #include "pipeline/work_file.h"
 
 #include "bundle/blob.h"
+#include "bundle/validate.h"
 #include "geometry/predicates.h"
+#include "pipeline/contradictions.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/quality_view.h"
 #include "pipeline/work_parts.h"
@@ -39,25 +41,13 @@ void write_view(store::FileWriter& file, const TetMesh& mesh) {
     if (!mesh.region.empty()) file.link("/VTKHDF/CellData/region", "/tets/region");
 }
 
-// Sizes and indices between the parts.
-void check_parts(const Workspace& work, const store::FileReader& file) {
-    if (work.tets && work.asset) {
-        if (work.tets->shell_vertex_count != work.asset->shell.positions.size())
-            file.refuse("/tets", "does not fit the shell");
-        for (const Index region : work.tets->region) {
-            if (region >= work.asset->shell.components.size()) file.refuse("/tets/region", "an index is out of range");
-        }
-    }
-    if (!work.bindings) return;
-    if (!work.tets || !work.asset) file.refuse("/bindings", "there are no tets to bind to");
-    if (work.bindings->size() != work.asset->visuals.size()) file.refuse("/bindings", "does not fit the visual meshes");
-    for (std::size_t i = 0; i < work.bindings->size(); ++i) {
-        const VisualBinding& binding = (*work.bindings)[i];
-        if (binding.tet.size() != work.asset->visuals[i].positions.size())
-            file.refuse("/bindings", "does not fit the visual meshes");
-        for (const Index tet : binding.tet) {
-            if (tet >= work.tets->tets.size()) file.refuse("/bindings", "an index is out of range");
-        }
+// A stage takes what it reads for its own kind's work.
+void require_sound_bundle(const Workspace& work, const std::string& name) {
+    if (!work.bundle) return;
+    const std::vector<Finding> problems = validate(*work.bundle);
+    if (!problems.empty()) {
+        throw Error(ErrorKind::bad_input,
+                    name + ": damaged: " + problems.front().code + ": " + problems.front().message);
     }
 }
 
@@ -91,7 +81,7 @@ Workspace read_work_image(std::vector<std::byte> image, const std::string& name)
     if (file.has("/tets")) work.tets = read_tets(file);
     if (file.has("/bindings")) work.bindings = read_bindings(file);
     if (file.has("/bundle")) work.bundle = store::read_bundle(file);
-    check_parts(work, file);
+    if (const auto found = find_contradiction(work)) file.refuse(found->path, found->what);
     if (file.has("/cook/record")) read_cook_record(file.read_text("/cook/record"), name, work);
     return work;
 }
@@ -100,7 +90,7 @@ Workspace read_work_file(const std::string& path) {
     std::vector<std::byte> image = store::read_file(path);
     const auto outcome = sandbox::run_in_child(
         [&] {
-            (void)read_work_image(image, path);
+            require_sound_bundle(read_work_image(image, path), path);
             return std::vector<std::byte>();
         },
         {});

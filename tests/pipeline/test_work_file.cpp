@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "core/error.h"
 #include "pipeline/cook_record.h"
 #include "pipeline/small_work.h"
 #include "pipeline/work_parts.h"
+#include "store/write_file.h"
 
 using crumple::Error;
 using crumple::ErrorKind;
@@ -99,6 +102,36 @@ TEST(WorkFile, NumbersThatAreNoneAndTetsInsideOutAreRefused) {
     expect_refusal([&](Workspace& w) { w.tets->positions[0].y = bad; }, "/tets/positions");
     expect_refusal([&](Workspace& w) { w.asset->visuals[0].positions[0].z = bad; }, "/asset/visual/0/positions");
     expect_refusal([](Workspace& w) { std::swap(w.tets->tets[0][0], w.tets->tets[0][1]); }, "/tets");
+}
+
+TEST(WorkFile, PartsOfTwoCooksAreRefused) {
+    expect_refusal([](Workspace& w) { w.asset->shell.positions[0].x += 1; }, "/tets does not fit the shell");
+    expect_refusal([](Workspace& w) { w.points->shell_vertex_count -= 1; }, "/points/shell_vertex_count");
+    expect_refusal([](Workspace& w) { w.points->positions.back().x = 0.1; }, "must be finite floats");
+    expect_refusal(
+        [](Workspace& w) {
+            w.points->positions[0].x += 1;
+            w.tets.reset();
+            w.bindings.reset();
+        },
+        "do not begin with the shell's");
+    expect_refusal([](Workspace& w) { (*w.bindings)[0].barycentric[0][0] += 1; }, "weights do not sum to 1");
+    expect_refusal([](Workspace& w) { (*w.bindings)[0].distance[0] = -1; }, "a negative one");
+}
+
+TEST(WorkFile, AStageIsGivenNoBundleThatIsNotSound) {
+    Workspace work = small_work::cooked();
+    work.bundle->tets[0][0] = 1u << 30;
+    const std::string path = testing::TempDir() + "crumple_unsound.hdf";
+    crumple::store::write_file(path, work_image(work, {}));
+    try {
+        (void)crumple::pipeline::read_work_file(path);
+        ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+        EXPECT_NE(std::string(error.what()).find("BUNDLE_INDEX"), std::string::npos) << error.what();
+    }
+    std::remove(path.c_str());
 }
 
 TEST(WorkFile, ARecordThatIsNoneIsRefused) {
