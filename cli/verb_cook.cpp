@@ -97,10 +97,10 @@ void write_text(const std::string& path, const std::string& text) {
     store::write_file(path, std::as_bytes(std::span(text)));
 }
 
-void put_report(const CookFlags& flags, const CookReport& report, const Console& console) {
-    const std::string json = report::write_json(report::Described::of(report));
-    if (is_file(flags.report)) write_text(flags.report, json);
-    if (is_stdout(flags.report) || flags.output.format == Format::json) console.result(json);
+std::string json_of(const CookReport& report) { return report::write_json(report::Described::of(report)); }
+
+void print_report(const CookFlags& flags, const CookReport& report, const Console& console) {
+    if (is_stdout(flags.report) || flags.output.format == Format::json) console.result(json_of(report));
 }
 
 std::vector<std::string> summary_row(const std::string& name, const pipeline::Usage& usage,
@@ -132,19 +132,17 @@ std::string summary_text(const CookReport& report, const std::string& output, bo
 int end_failed(const CookFlags& flags, const CookReport& report, const Console& console) {
     console.error(report.error);
     (void)run_guarded(console, [&] {
-        put_report(flags, report, console);
+        if (is_file(flags.report)) write_text(flags.report, json_of(report));
+        print_report(flags, report, console);
         return exit_ok;
     });
     return report.exit_code;
 }
 
-void put_depfile(const CookFlags& flags, const std::vector<std::string>& inputs, const Console& console) {
-    if (flags.depfile.empty()) return;
-    const std::string text = depfile_text(flags.output.path, inputs);
-    if (is_stdout(flags.depfile))
-        console.result(text);
-    else
-        write_text(flags.depfile, text);
+// What goes beside the output, so that a disk too full for it leaves the old output.
+void write_beside(const CookFlags& flags, const CookReport& report, const std::vector<std::string>& inputs) {
+    if (is_file(flags.report)) write_text(flags.report, json_of(report));
+    if (is_file(flags.depfile)) write_text(flags.depfile, depfile_text(flags.output.path, inputs));
 }
 
 struct CookCall {
@@ -160,6 +158,7 @@ int cook_now(CookCall call, const Console& console, const pipeline::Permission& 
     CookReport report;
     report.recipe = flags.recipe;
     request.may_finish = may_finish;
+    request.before_output = [&](const CookReport& done) { write_beside(flags, done, call.inputs); };
     try {
         pipeline::cook(call.recipe, request, report, console.observer());
     } catch (const Error& error) {
@@ -171,8 +170,8 @@ int cook_now(CookCall call, const Console& console, const pipeline::Permission& 
     }
     if (report.output.is_rejected) console.talk(summary_text(report, request.output, console.colors_talk()));
     if (report.exit_code != exit_ok) return end_failed(flags, report, console);
-    put_report(flags, report, console);
-    put_depfile(flags, call.inputs, console);
+    print_report(flags, report, console);
+    if (is_stdout(flags.depfile)) console.result(depfile_text(flags.output.path, call.inputs));
     console.talk(summary_text(report, request.output, console.colors_talk()));
     return exit_ok;
 }

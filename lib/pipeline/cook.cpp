@@ -85,7 +85,11 @@ void cook(const Recipe& recipe, const CookRequest& request, CookReport& report, 
         report.stopped_in = report.stages.back().name;
         reject(report.stages.back().findings, request.output, image);
     }
-    report.output.is_unchanged = !accept(request.output, image);
+    report.output.is_unchanged = holds(request.output, image);
+    report.stopped_in.clear();
+    if (request.before_output) request.before_output(report);
+    report.stopped_in = "write";
+    accept(request.output, image);
     report.stopped_in.clear();
 }
 

@@ -22,6 +22,8 @@ struct CookRequest {
     unsigned jobs = 1;
     bool checks_determinism = false;  // cook twice at different numbers of threads, compare before writing
     Permission may_finish;            // asked before the output is put in place; may be empty
+    // Told right before, as the report will be: what it cannot write stops the cook while the old output is there.
+    std::function<void(const CookReport&)> before_output;
     // Told whenever the report has come further, for those who outlive a cook that is ended; may be empty.
     std::function<void(const CookReport&)> keep_report;
 };

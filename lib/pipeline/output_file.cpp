@@ -77,12 +77,15 @@ bool accept(const std::string& output, const std::vector<std::byte>& image) {
     return is_changed;
 }
 
-bool write_if_changed(const std::string& path, const std::vector<std::byte>& image) {
+bool holds(const std::string& path, const std::vector<std::byte>& image) {
     std::error_code ignored;
-    if (std::filesystem::file_size(path, ignored) == image.size() && !ignored) {
-        const std::vector<std::byte> old = store::read_file(path);
-        if (std::equal(old.begin(), old.end(), image.begin(), image.end())) return false;
-    }
+    if (std::filesystem::file_size(path, ignored) != image.size() || ignored) return false;
+    const std::vector<std::byte> old = store::read_file(path);
+    return std::equal(old.begin(), old.end(), image.begin(), image.end());
+}
+
+bool write_if_changed(const std::string& path, const std::vector<std::byte>& image) {
+    if (holds(path, image)) return false;
     store::write_file(path, image);
     return true;
 }

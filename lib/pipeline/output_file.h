@@ -25,6 +25,9 @@ void check_output_path(const std::string& path, const std::vector<std::string>& 
 // false when the output held these bytes already.
 bool accept(const std::string& output, const std::vector<std::byte>& image);
 
+// The file is there with these bytes.
+[[nodiscard]] bool holds(const std::string& path, const std::vector<std::byte>& image);
+
 // Returns false, and touches nothing, when the file holds these bytes already.
 bool write_if_changed(const std::string& path, const std::vector<std::byte>& image);
 
