@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -145,6 +146,10 @@ Affine transform_of(const Json& node) {
     const auto t = reals<3>(node, "translation", {0, 0, 0});
     const auto [x, y, z, w] = reals<4>(node, "rotation", {0, 0, 0, 1});
     const auto s = reals<3>(node, "scale", {1, 1, 1});
+    // Another length would scale and shear what it should only turn.
+    constexpr double rounding = 1e-3;
+    if (!(std::fabs(x * x + y * y + z * z + w * w - 1) <= rounding))
+        refuse("a node's rotation is no unit quaternion");
     return {s[0] * (1 - 2 * (y * y + z * z)), s[1] * 2 * (x * y - z * w),       s[2] * 2 * (x * z + y * w),       t[0],
             s[0] * 2 * (x * y + z * w),       s[1] * (1 - 2 * (x * x + z * z)), s[2] * 2 * (y * z - x * w),       t[1],
             s[0] * 2 * (x * z - y * w),       s[1] * 2 * (y * z + x * w),       s[2] * (1 - 2 * (x * x + y * y)), t[2]};

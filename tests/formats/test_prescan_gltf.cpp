@@ -230,6 +230,8 @@ TEST(PrescanGltf, TransformsAreAffineAndFinite) {
     EXPECT_TRUE(contains(matrix("0, 0"), "not affine"));
     EXPECT_TRUE(contains(matrix("1e300, 1"), "beyond the range of a float"));
     EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"scale": [1, 1, 1e39]}])")), "a node's scale is beyond"));
+    EXPECT_EQ(gltf_message(gltf(R"("nodes": [{"rotation": [0, 0, 0.7071068, 0.7071068]}])")), "");
+    EXPECT_TRUE(contains(gltf_message(gltf(R"("nodes": [{"rotation": [0, 0, 1, 1]}])")), "no unit quaternion"));
 }
 
 TEST(PrescanGltf, WhatMovesTheSurfaceBesidesItsNodesIsCounted) {
