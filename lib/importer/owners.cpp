@@ -8,7 +8,8 @@ namespace crumple::importer {
 std::vector<Finding> assign_owners(const std::map<std::string, std::string>& owners, std::vector<VisualMesh>& visuals) {
     std::vector<Finding> findings;
     for (const auto& [name, component] : owners) {
-        const auto visual = std::find_if(visuals.begin(), visuals.end(), [&](const auto& v) { return v.name == name; });
+        const auto visual =
+            std::find_if(visuals.begin(), visuals.end(), [&wanted = name](const auto& v) { return v.name == wanted; });
         if (visual != visuals.end()) {
             visual->shell_component = component;
             continue;
