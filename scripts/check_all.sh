@@ -5,7 +5,8 @@
 #   scripts/check_all.sh [--fuzz-minutes N] [STEP...]
 #
 # Steps, all of them by default:
-#   full        every test in its long form (CRUMPLE_FULL_TESTS=1), Release and sanitized
+#   release     every test in its long form (CRUMPLE_FULL_TESTS=1)
+#   sanitized   the same with ASan and UBSan
 #   toolchains  what a game embeds with gcc, clang, mingw under wine and aarch64 under qemu
 #   compilers   the suite with clang, and the sample car cooked by gcc and by clang: same bytes
 #   fuzz        each libFuzzer target for N minutes, 10 by default, as many at once as there are cores
@@ -17,20 +18,22 @@ minutes=10 steps=()
 while [ $# -gt 0 ]; do
     case "$1" in
         --fuzz-minutes) minutes="${2:?--fuzz-minutes: how many?}"; shift ;;
-        full | toolchains | compilers | fuzz | bench) steps+=("$1") ;;
-        *) sed -n '4,13s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+        release | sanitized | toolchains | compilers | fuzz | bench) steps+=("$1") ;;
+        *) sed -n '4,14s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
     esac
     shift
 done
-[ ${#steps[@]} -gt 0 ] || steps=(full toolchains compilers fuzz bench)
+[ ${#steps[@]} -gt 0 ] || steps=(release sanitized toolchains compilers fuzz bench)
 
-run_full() {
-    local preset
-    for preset in release dev; do
-        scripts/build.sh "$preset"
-        CRUMPLE_FULL_TESTS=1 ctest --preset "$preset" --parallel "$(nproc)" --timeout 36000
-    done
+# Preset.
+test_in_full() {
+    scripts/build.sh "$1"
+    CRUMPLE_FULL_TESTS=1 ctest --preset "$1" --parallel "$(nproc)" --timeout 36000
 }
+
+run_release() { test_in_full release; }
+
+run_sanitized() { test_in_full dev; }
 
 cook_with() {
     "build/$1/crumple" cook pipelines/car_body.json --shell samples/car/car_shell.glb --visual samples/car/car_visual.glb \
