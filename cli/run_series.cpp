@@ -69,7 +69,12 @@ void RunSeries::write_file(const std::string& name, std::span<const std::byte> b
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw Error(ErrorKind::file, report::printable(folder_.string()) + ": " + error.message());
-    store::write_file((folder_ / name).string(), bytes);
+    try {
+        store::write_file((folder_ / name).string(), bytes);
+    } catch (const Error&) {
+        fs::remove(folder_, error);  // if it is empty: it was made for nothing
+        throw;
+    }
     written_.insert(name);
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes end to end: every built-in one runs, bad ones say where, other programs open what comes out."""
 import json
+import resource
 import struct
 import unittest
 
@@ -55,6 +56,13 @@ class Simulate(program.Case):
         broken.write_text('{"seconds": 1')
         self.assertEqual(self.simulate(broken).returncode, 1)
         self.assertNotEqual(self.simulate("no_such_scene").returncode, 0)
+
+    def test_a_full_disk_leaves_no_folder_without_files(self):
+        def little_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        self.fails(program.run("simulate", self.output, "--scene", "wall", "-o", self.run_file, preexec_fn=little_room), 2,
+                   "run_series")
+        self.assertEqual([path.name for path in self.run_file.parent.glob("run*")], [])
 
     def test_paraview_opens_the_series(self):
         self.ok(self.simulate("wall"))
