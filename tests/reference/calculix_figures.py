@@ -3,10 +3,12 @@
 """What CalculiX 2.20 says of a cantilever of linear tets (C3D4), as calculix_figures.h.
 
     tests/reference/calculix_figures.py > tests/reference/calculix_figures.h
+    tests/reference/calculix_figures.py --mesh > tests/reference/bar_5k.txt
 
 Needs ccx (Debian: calculix-ccx) and tetgen; the tests need neither. The bar is 8 x 1 x 1 m, clamped at x = 0, E = 1e6,
 nu = .3, rho = 1000, loaded at the free end by P = k E I / L^2 spread equally over its nodes. The grid is that of
-solver::test::grid_body({16, 2, 2}, {.5, .5, .5}); the fine one is TetGen's -pq1.3a0.0042, 5,326 tets.
+solver::test::grid_body({16, 2, 2}, {.5, .5, .5}); the fine one is TetGen's -pq1.3a0.0042, 5,326 tets. --mesh writes
+that one, as floats, numbered from 0.
 """
 import pathlib
 import re
@@ -59,6 +61,14 @@ def tetgen_bar(folder):
     return nodes, tets
 
 
+def write_mesh(nodes, tets):
+    print(len(nodes), len(tets))
+    for row in nodes:
+        print(*("%.9g" % value for value in row))
+    for row in tets:
+        print(*row)
+
+
 def run(folder, mesh, poisson, step):
     """Writes, runs and returns job.dat."""
     nodes, tets = mesh
@@ -95,6 +105,9 @@ def frequency_hz(folder, mesh):
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        if sys.argv[1:] == ["--mesh"]:
+            write_mesh(*tetgen_bar(folder))
+            return 0
         coarse, fine = grid((16, 2, 2), 0.5), tetgen_bar(folder)
         print("// SPDX-License-Identifier: GPL-3.0-or-later")
         print("// Written by calculix_figures.py, which says of what; CalculiX 2.20. Displacements of the free end in metres.")
