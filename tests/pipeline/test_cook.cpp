@@ -29,7 +29,9 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    std::string folder_ = testing::TempDir() + "crumple_cook";
+    // Tests run beside each other.
+    std::string folder_ =
+        testing::TempDir() + "crumple_cook_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     CookRequest request_;
     Recipe recipe_;
     CookReport report_;
