@@ -114,19 +114,26 @@ Body supported_beam(double young_pa, const Settings& settings) {
                 settings);
 }
 
-// Made so soft that it sags through itself, then stiff again. Returns whether it is whole.
-bool comes_back(const Settings& settings, float gravity) {
-    Body soft = supported_beam(300, settings);
+// What is left of a beam that sagged through itself.
+struct Sag {
+    std::uint32_t worst = 0;      // tets degenerate on the way down, at most
+    std::uint32_t held = 0;       // after ten seconds
+    std::uint32_t remaining = 0;  // ten seconds after it is stiff again
+    bool is_whole = false;
+};
+
+Sag sag(double young_pa, const Settings& settings, float gravity) {
+    Body soft = supported_beam(young_pa, settings);
     StepInput input;
     input.gravity = {0, gravity, 0};
-    std::uint32_t degenerate = 0;
+    Sag result;
     double most = 0;
-    for (int i = 0; i < 300; ++i) {
-        degenerate = std::max(degenerate, soft.step(input).degenerate);
+    for (int i = 0; i < 600; ++i) {
+        result.held = soft.step(input).degenerate;
+        result.worst = std::max(result.worst, result.held);
         if (i % 20 == 0) most = std::max(most, total_energy(soft));
     }
     EXPECT_TRUE(soft.is_finite());
-    EXPECT_GT(degenerate, 0u);
     // Gravity gives at most the weight times the way.
     double lowest = 0, mass = 0;
     for (std::size_t i = 0; i < soft.node_count(); ++i) {
@@ -138,45 +145,54 @@ bool comes_back(const Settings& settings, float gravity) {
     std::memcpy(stiff.bytes().data(), soft.bytes().data(), soft.bytes().size());
     for (int i = 0; i < 600; ++i) stiff.step(input);
     EXPECT_TRUE(stiff.is_finite());
-    const std::uint32_t left = stiff.step(input).degenerate;
-    EXPECT_LT(left, degenerate / 10) << name_of(settings.treatment);
-    return left == 0 && stiff.smallest_determinant() > 0.5;
+    result.remaining = stiff.step(input).degenerate;
+    result.is_whole = result.remaining == 0 && stiff.smallest_determinant() > 0.5;
+    return result;
+}
+
+// The way down is chaotic, so there are many.
+float gravity_of(int way) { return -9.81f * (1 + 1e-5f * static_cast<float>(way)); }
+
+Settings treated(Treatment treatment) {
+    Settings settings;
+    settings.treatment = treatment;
+    settings.max_iterations = 60;
+    return settings;
+}
+
+std::vector<Treatment> treatments() {
+    if (test::is_emulated()) return {Treatment::reflect};
+    return {Treatment::reflect, Treatment::project, Treatment::smooth};
 }
 
 }
 
-// S3: a beam on two supports. The way down is chaotic, and a few of the ways end with some tets that hold each other
-// inside out, more of them with projection.
+// S3: a beam on two supports, made softer until it sags through itself (at 6e3 Pa it comes back up by itself).
 TEST(S3BeamCollapse, ComesBackWholeWhenItIsStiffAgain) {
-    for (const Treatment treatment : {Treatment::reflect, Treatment::project, Treatment::smooth}) {
-        if (test::is_emulated() && treatment != Treatment::reflect) continue;
-        Settings settings;
-        settings.treatment = treatment;
-        settings.max_iterations = 60;
-        const int ways = test::is_emulated() ? 1 : 6;
-        int whole = 0;
-        for (int way = 0; way < ways; ++way) {
-            whole += comes_back(settings, -9.81f * (1 + 1e-5f * static_cast<float>(way))) ? 1 : 0;
+    for (const Treatment treatment : treatments()) {
+        for (const double young : {4e3, 3e3}) {
+            for (int way = 0; way < test::effort(2, 24, 1); ++way) {
+                const Sag beam = sag(young, treated(treatment), gravity_of(way));
+                EXPECT_GT(beam.held, 50u) << young;
+                EXPECT_TRUE(beam.is_whole) << name_of(treatment) << " " << young << " way " << way;
+            }
         }
-        if (treatment == Treatment::project) continue;
-        EXPECT_GE(whole, ways / 2) << name_of(treatment);
     }
 }
 
-// S6. Implicit steps stay bounded for any shape; the work goes up.
-TEST(S6Slivers, AFlatBodyOfTinyAnglesStaysBounded) {
-    for (const float flat : {1e-1f, 1e-2f, 1e-3f, 1e-4f}) {
-        Body body(grid_body({3, 3, 1}, {0.3f, 0.3f, 0.3f * flat}, elastic_material(1e6)));
-        Rng rng(6);
-        body.set_velocities([&](Vec3f) { return random_vector(rng); });
-        const double before = total_energy(body);
-        for (int i = 0; i < 100; ++i) body.step(1.0f / 60);
-        EXPECT_TRUE(body.is_finite()) << flat;
-        // From 1e-3 down, (c dt / h)^2 is 4e6 and more: float cannot hold masses beside such stiffness, the step says
-        // so and raises them.
-        const bool is_too_stiff = (body.step(1.0f / 60).warnings & step_too_stiff) != 0;
-        EXPECT_EQ(is_too_stiff, flat < 5e-3f) << flat;
-        EXPECT_LT(total_energy(body), (is_too_stiff ? 2 : 1.05) * before) << flat;
+// Ten times softer than it takes, a few of the ways end with some tets that hold each other inside out: whole are 21,
+// 21 and 20 of 24 with reflection, projection and smooth.
+TEST(S3BeamCollapse, SoftAsDoughItMostlyComesBackWhole) {
+    if (test::is_emulated()) GTEST_SKIP() << "one way says nothing";
+    for (const Treatment treatment : treatments()) {
+        const int ways = test::effort(3, 24, 3);
+        int whole = 0;
+        for (int way = 0; way < ways; ++way) {
+            const Sag beam = sag(300, treated(treatment), gravity_of(way));
+            EXPECT_LT(beam.remaining, beam.worst / 10) << name_of(treatment);
+            whole += beam.is_whole ? 1 : 0;
+        }
+        EXPECT_GT(2 * whole, ways) << name_of(treatment);
     }
 }
 
