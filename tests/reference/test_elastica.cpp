@@ -111,7 +111,7 @@ TEST(A5CantileverLarge, TheExtrapolatedMeshIsTheElastica) {
     Cantilever coarse(cells), fine(2 * cells);
     double worst = 0;
     for (const Elastica& truth : elastica) {
-        if (truth.k != 0.2 && truth.k != 2 && truth.k != 10 && solver::test::effort(true, false, true)) continue;
+        if (truth.k != 0.2 && truth.k != 10 && solver::test::effort(true, false, true)) continue;
         const Tip tip = without_mesh_error(coarse.settle(truth.k), fine.settle(truth.k));
         EXPECT_NEAR(tip.along / truth.tip.along, 1, 0.01) << truth.k;
         EXPECT_NEAR(tip.down / truth.tip.down, 1, 0.01) << truth.k;

@@ -84,6 +84,21 @@ TEST(A4CantileverSmall, TheBarOf5kTetsBendsAsCalculixSays) {
     EXPECT_NEAR(runtime_tip(body, 0.01).y, truth, 1e-3 * std::fabs(truth));
 }
 
+namespace {
+
+// The rest take seconds, minutes with sanitizers.
+bool is_quick(double k) {
+#ifdef NDEBUG
+    return k <= 1;
+#else
+    return k <= 0.2;
+#endif
+}
+
+bool is_left_out(double k) { return !is_quick(k) && solver::test::effort(true, false, true); }
+
+}
+
 // CalculiX strains by Green, ours is corotated: they differ by the order of the strain.
 TEST(A5CantileverLarge, TheBarOf5kTetsRestsWhereCalculixSays) {
     const Bundle bar = damped_bar();
@@ -93,10 +108,12 @@ TEST(A5CantileverLarge, TheBarOf5kTetsRestsWhereCalculixSays) {
     solver::test::Body body(bar, settings);
     reference::Body corotated = reference::body_at_rest(bar);
     for (const calculix::Tip& truth : calculix::bar_5k_tips) {
+#ifndef NDEBUG
+        if (is_left_out(truth.k)) continue;
+#endif
         const Vec3 tip = runtime_tip(body, truth.k);
         expect_near(tip, truth, 3e-3, 0.02);
-        // The rest take seconds.
-        if (truth.k == 2 && solver::test::effort(true, false, true)) continue;
+        if (is_left_out(truth.k)) continue;
         ASSERT_TRUE(reference::settle(corotated, load(bar, truth.k), 1e-7)) << truth.k;
         expect_near(tip_of(corotated), truth, 3e-3, 0.02);
         EXPECT_NEAR(tip.y / tip_of(corotated).y, 1, 2e-4) << truth.k;
