@@ -19,16 +19,6 @@ using solver::test::Body;
 
 constexpr double given_up_s = 20;
 
-bool is_whole(const Body& body) {
-    for (std::size_t t = 0; t < body.model.tet_count; ++t) {
-        const auto f = deformation_gradient(body.model, body.state, t);
-        if (!(determinant(f) > 0)) return false;
-        const auto r = solver::rotation_svd_smallest(f, solver::Mat3::identity());
-        if (!(norm(transpose(r) * f - solver::Mat3::identity()) < 0.1f)) return false;
-    }
-    return true;
-}
-
 // Simulated seconds until all det F > 0 and |R^T F - I| < .1 everywhere, from nodes at random places of the unit cube
 // of cells^3 cubes; given_up_s where it never is.
 double recovery_time(const Bundle& bundle, const Settings& settings, std::uint64_t seed) {

@@ -35,16 +35,6 @@ Bundle cooked(const std::string& shell, const std::string& points, double young_
                                    solver::test::elastic_material(young_pa, 0.3));
 }
 
-bool is_whole(const solver::test::Body& body) {
-    for (std::size_t t = 0; t < body.model.tet_count; ++t) {
-        const auto f = deformation_gradient(body.model, body.state, t);
-        if (!(determinant(f) > 0)) return false;
-        const auto r = solver::rotation_svd_smallest(f, solver::Mat3::identity());
-        if (!(norm(transpose(r) * f - solver::Mat3::identity()) < 0.1f)) return false;
-    }
-    return true;
-}
-
 double recovery_time(const Bundle& bundle, const solver::Settings& settings, std::uint64_t seed) {
     constexpr float dt = 1.0f / 60;
     solver::test::Body body(bundle, settings);

@@ -174,6 +174,16 @@ double Body::smallest_determinant() const {
     return smallest;
 }
 
+bool is_whole(const Body& body) {
+    for (std::size_t t = 0; t < body.model.tet_count; ++t) {
+        const Mat3 f = deformation_gradient(body.model, body.state, t);
+        if (!(determinant(f) > 0)) return false;
+        const Mat3 r = rotation_svd_smallest(f, Mat3::identity());
+        if (!(norm(transpose(r) * f - Mat3::identity()) < 0.1f)) return false;
+    }
+    return true;
+}
+
 Vec3f random_vector(Rng& rng) {
     const auto next = [&] { return static_cast<float>(2 * rng.next_unit() - 1); };
     const float x = next();

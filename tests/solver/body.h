@@ -69,6 +69,9 @@ private:
     Memory workspace_memory_;
 };
 
+// All det F > 0 and |R^T F - I| < .1: every tet is near its rest shape, on its right side.
+[[nodiscard]] bool is_whole(const Body& body);
+
 // Uniform in [-1, 1)^3.
 [[nodiscard]] Vec3f random_vector(Rng& rng);
 [[nodiscard]] Mat3 random_rotation(Rng& rng);

@@ -29,22 +29,12 @@ Settings with(Treatment treatment, RotationMethod rotation = RotationMethod::apd
     return settings;
 }
 
-bool has_recovered(const Body& body) {
-    for (std::size_t t = 0; t < body.model.tet_count; ++t) {
-        const Mat3 f = deformation_gradient(body.model, body.state, t);
-        if (!(determinant(f) > 0)) return false;
-        const Mat3 r = rotation_svd_smallest(f, Mat3::identity());
-        if (!(norm(transpose(r) * f - Mat3::identity()) < 0.1f)) return false;
-    }
-    return true;
-}
-
 // Seconds until the body is whole again, at most `limit`.
 double recovery_time(Body& body, double limit) {
     constexpr float dt = 1.0f / 60;
     for (int i = 1; i * dt < limit; ++i) {
         body.step(dt);
-        if (has_recovered(body)) return i * dt;
+        if (is_whole(body)) return i * dt;
     }
     return limit;
 }
