@@ -33,12 +33,9 @@ Finding told(const char* code, Severity severity, const FileReport& report, cons
     return {code, severity, report.name + ": " + message, count, {}};
 }
 
-// Triangles by the file's own count of corners that assimp did not deliver.
 void judge_faces(const Scene& scene, const FileReport& report, std::vector<Finding>& findings) {
-    std::uint64_t delivered = 0;
-    for (const SceneMesh& mesh : scene.meshes) delivered += mesh.triangles.size();
-    if (delivered >= scene.expected_triangles) return;
-    const std::uint64_t lost = scene.expected_triangles - delivered;
+    const std::uint64_t lost = scene.lost_triangles();
+    if (lost == 0) return;
     findings.push_back(told("FILE_FACES_LOST", Severity::warning, report,
                             std::to_string(lost) + " of " + std::to_string(scene.expected_triangles) +
                                 " triangles of the file could not be read (polygons without area, or indices that are "

@@ -174,11 +174,8 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, formats::Purpose p
 
 // assimp leaves out triangles of vertices that are not there, and a glTF file has no other that it does not deliver.
 void check_triangles(const Scene& scene) {
-    std::uint64_t delivered = 0;
-    for (const SceneMesh& mesh : scene.meshes) delivered += mesh.triangles.size();
-    if (delivered >= scene.expected_triangles) return;
-    refuse(std::to_string(scene.expected_triangles - delivered) + " of its " +
-           std::to_string(scene.expected_triangles) +
+    if (scene.lost_triangles() == 0) return;
+    refuse(std::to_string(scene.lost_triangles()) + " of its " + std::to_string(scene.expected_triangles) +
            " triangles refer to vertices that are not there; the file is damaged, export it again");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -196,6 +197,12 @@ std::array<double, 9> axes_of(Up up) {
     if (up == Up::x) return {0, -1, 0, 1, 0, 0, 0, 0, 1};
     if (up == Up::z) return {1, 0, 0, 0, 0, 1, 0, -1, 0};
     return {1, 0, 0, 0, 1, 0, 0, 0, 1};
+}
+
+std::uint64_t Scene::lost_triangles() const {
+    std::uint64_t delivered = 0;
+    for (const SceneMesh& mesh : meshes) delivered += mesh.triangles.size();
+    return expected_triangles - std::min(delivered, expected_triangles);
 }
 
 std::vector<std::byte> encode(const Scene& scene) {

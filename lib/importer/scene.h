@@ -49,6 +49,9 @@ struct Scene {
     std::vector<float> file_reds;       // of file_positions as the file states them, or empty: it has no colours
     std::vector<SceneMesh> meshes;
     std::vector<SceneNode> nodes;
+
+    // Triangles by the file's own count that were not delivered.
+    [[nodiscard]] std::uint64_t lost_triangles() const;
 };
 
 // From a file with that axis up to Y up, 3 x 3 row-major; the identity for automatic.
