@@ -107,7 +107,7 @@ public:
         start_residual(model_, w_);
         start_rigid(whole_.locks, model_, w_);
         if (whole_.response.is_given && !partials_.empty()) take_response();
-        hold_touching(state_, w_, partials_);
+        hold_touching(model_, state_, w_, partials_);
         const double first = precondition();
         prepare_modes();
         return first;

@@ -44,9 +44,12 @@ void shift(const Model& model, Workspace& w, RigidLocks& locks, Index node, Vec3
 
 }
 
-void hold_touching(const State& state, Workspace& w, std::span<Partial> partials) {
+void hold_touching(const Model& model, const State& state, Workspace& w, std::span<Partial> partials) {
     for (Partial& p : partials) {
-        if (p.is_contact) p.taken_count = excess(state, w, p) >= -noise(state, w, p) ? 1 : 0;
+        if (p.is_contact && excess(state, w, p) < -noise(state, w, p)) {
+            p.taken_count = 0;
+            constrain_inverse(model, w, p);
+        }
         keep_free_part(p, &w.residual[4 * std::size_t{p.node}]);
     }
 }

@@ -6,8 +6,9 @@
 
 namespace crumple::solver {
 
-// The contacts that hold where the solve starts. Their part of the residual goes.
-void hold_touching(const State& state, Workspace& workspace, std::span<Partial> partials);
+// Of contacts that all hold, lets those go that nothing presses on where the solve starts; their preconditioners
+// follow. The part of the residual that is held goes.
+void hold_touching(const Model& model, const State& state, Workspace& workspace, std::span<Partial> partials);
 
 enum class Recheck {
     all,

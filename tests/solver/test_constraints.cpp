@@ -98,6 +98,23 @@ TEST(Constraints, ANodeOnAPlaneSlidesInItAndOneOnARailAlongIt) {
     EXPECT_GT(std::fabs(body.x(26).z - body.rest(26).z), 0.1f);
 }
 
+// Its body pulls it back as if there were no obstacle.
+TEST(Constraints, AContactThatANodeIsLeavingDoesNotHoldIt) {
+    Body with(grid_body({2, 2, 2}, {0.5f, 0.5f, 0.5f}, damped(), bottom), exact());
+    Body without(grid_body({2, 2, 2}, {0.5f, 0.5f, 0.5f}, damped(), bottom), exact());
+    const Index top = 8;
+    const Constraint contact = constraint(top, ConstraintKind::contact, {0, -5, 0}, {0, 1, 0});
+    StepInput input;
+    for (Body* body : {&with, &without}) set_velocity(body->state, top, {0, 10, 0});
+    input.constraints = {&contact, 1};
+    const std::uint32_t iterations = with.step(input).iterations;
+    EXPECT_EQ(iterations, without.step(input.dt).iterations);
+    EXPECT_LT(velocity(without.state, top).y, 9);
+    for (std::size_t i = 0; i < with.node_count(); ++i) {
+        EXPECT_LT(length(velocity(with.state, i) - velocity(without.state, i)), 1e-3f) << i;
+    }
+}
+
 // S8: what holds the body up pushes with its weight.
 // One node on a rail, the rest blown away from it: a solve cut short ends in a translation that the rail allows.
 TEST(Constraints, APushedBodyIsNotTornOffItsRailForWantOfIterations) {
