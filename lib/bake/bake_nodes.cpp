@@ -11,9 +11,7 @@ namespace crumple::bake {
 namespace {
 
 // Adding zero turns -0 into 0, so that equal positions have equal bytes.
-Vec3f narrow(Vec3 p) {
-    return {static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f, static_cast<float>(p.z) + 0.0f};
-}
+Vec3f narrow_to_bytes(Vec3 p) { return narrow(p) + Vec3f{}; }
 
 std::vector<std::uint8_t> find_used_nodes(const TetMesh& mesh) {
     std::vector<std::uint8_t> is_used(mesh.positions.size(), 0);
@@ -73,11 +71,7 @@ void report_unused_locks(const Shell& shell, const TetMesh& mesh, const Bundle& 
         0,
         {}};
     for (const Index node : bundle.node_to_mesh) {
-        if (is_used[node]) continue;
-        ++finding.count;
-        if (finding.places.size() < max_places) {
-            finding.places.push_back({mesh.positions[node], node, component_name_of(shell, node)});
-        }
+        if (!is_used[node]) count_one(finding, {mesh.positions[node], node, component_name_of(shell, node)});
     }
     if (finding.count > 0) report.findings.push_back(std::move(finding));
 }
@@ -112,7 +106,7 @@ void bake_nodes(const Shell& shell, const TetMesh& mesh, NodeOrder how, Bundle& 
     for (const Index k : order_nodes(positions, edges, how)) {
         bundle.mesh_to_node[kept[k]] = static_cast<Index>(bundle.node_to_mesh.size());
         bundle.node_to_mesh.push_back(kept[k]);
-        bundle.rest_positions.push_back(narrow(positions[k]));
+        bundle.rest_positions.push_back(narrow_to_bytes(positions[k]));
         bundle.locked.push_back(is_locked(shell, kept[k]) ? 1 : 0);
     }
 }
@@ -124,7 +118,7 @@ void bake_locks(const Asset& asset, const TetMesh& mesh, Bundle& bundle, Report&
     }
     std::sort(locked.begin(), locked.end(), lexicographic_less<float>);
     std::vector<Vec3f>& painted = bundle.locked_positions;
-    for (const Vec3 p : asset.locked_positions) painted.push_back(narrow(p));
+    for (const Vec3 p : asset.locked_positions) painted.push_back(narrow_to_bytes(p));
     std::sort(painted.begin(), painted.end(), lexicographic_less<float>);
     painted.erase(std::unique(painted.begin(), painted.end()), painted.end());
     require_all(painted, locked, "a painted lock has no locked node at its position");

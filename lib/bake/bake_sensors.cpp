@@ -7,8 +7,6 @@
 namespace crumple::bake {
 namespace {
 
-Vec3 widen(Vec3f p) { return {p.x, p.y, p.z}; }
-
 using Choice = std::vector<std::uint8_t>;  // one flag a node
 
 Choice choose_by_box(const Bundle& bundle, const SensorParams& sensor) {
@@ -92,7 +90,7 @@ BundleSensor weigh_nodes(const Bundle& bundle, const std::string& name, const Ch
         sensor.weight.push_back(static_cast<float>(share));
         centre += widen(bundle.rest_positions[node]) * share;
     }
-    sensor.rest_origin = {static_cast<float>(centre.x), static_cast<float>(centre.y), static_cast<float>(centre.z)};
+    sensor.rest_origin = narrow(centre);
     return sensor;
 }
 

@@ -15,13 +15,6 @@ void require(bool condition, const std::string& what) {
     if (!condition) throw Error(ErrorKind::bad_input, "bake: " + what);
 }
 
-// -0 and 0 are one value, so comparing values is enough.
-bool is_float(Vec3 p) {
-    return round_to_float(p) == p && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-Vec3f narrow(Vec3 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
-
 void check_shell(const Shell& shell) {
     const std::size_t vertex_count = shell.positions.size();
     require(shell.locked.size() == vertex_count, "the shell needs one lock flag a vertex");

@@ -26,7 +26,7 @@ void check_input(const Shell& shell, const TetMesh& mesh, std::span<const Visual
     for (const VisualMesh& visual : visuals) {
         for (Index v = 0; v < visual.positions.size(); ++v) {
             const Vec3 p = visual.positions[v];
-            if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+            if (is_finite(p)) continue;
             throw Error(ErrorKind::bad_input, "visual mesh '" + visual.name + "': vertex " + std::to_string(v) +
                                                   " has no finite position; export the mesh again");
         }

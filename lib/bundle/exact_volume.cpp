@@ -8,8 +8,6 @@
 namespace crumple {
 namespace {
 
-Vec3 widen(Vec3f p) { return {p.x, p.y, p.z}; }
-
 // A sum without rounding: its partial sums do not overlap [Shewchuk 1997, "Adaptive precision floating-point
 // arithmetic", grow-expansion], so their total rounds only once.
 class ExactSum {

@@ -14,10 +14,7 @@ void Complaints::add(const char* code, const char* message, Index element, Vec3f
         findings_.push_back({code, Severity::error, message, 0, {}});
         finding = findings_.end() - 1;
     }
-    ++finding->count;
-    if (finding->places.size() < max_places) {
-        finding->places.push_back({{position.x, position.y, position.z}, element, std::string(name)});
-    }
+    count_one(*finding, {widen(position), element, std::string(name)});
 }
 
 namespace {
@@ -58,7 +55,6 @@ void expect_starts(const std::vector<Index>& starts, std::size_t end, std::strin
     }
 }
 
-bool is_finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 bool is_finite(float x) { return std::isfinite(x); }
 template <std::size_t K>
 bool is_finite(const std::array<float, K>& row) {

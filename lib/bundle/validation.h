@@ -10,7 +10,7 @@
 namespace crumple {
 
 // The position of what has none.
-constexpr Vec3f no_place{static_cast<float>(nowhere.x), static_cast<float>(nowhere.y), static_cast<float>(nowhere.z)};
+constexpr Vec3f no_place = narrow(nowhere);
 
 class Complaints {
 public:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/index.h"
@@ -32,5 +33,13 @@ struct Finding {
 };
 
 inline constexpr std::size_t max_places = 8;
+
+[[nodiscard]] inline bool wants_place(const Finding& finding) { return finding.places.size() < max_places; }
+
+// One more of what the finding counts: its place is told while it is among the first few.
+inline void count_one(Finding& finding, Place place) {
+    ++finding.count;
+    if (wants_place(finding)) finding.places.push_back(std::move(place));
+}
 
 }

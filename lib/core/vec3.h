@@ -42,6 +42,21 @@ T length(Vec3T<T> a) {
     return std::sqrt(dot(a, a));
 }
 
+template <class T>
+bool is_finite(Vec3T<T> a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+// Between what offline stages count in and what games hold; narrow takes the nearest.
+template <class T>
+constexpr Vec3 widen(Vec3T<T> a) {
+    return {a.x, a.y, a.z};
+}
+template <class T>
+constexpr Vec3f narrow(Vec3T<T> a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
 // Order by x, then y, then z: how ties are broken, so that input order never matters.
 template <class T>
 constexpr bool lexicographic_less(Vec3T<T> a, Vec3T<T> b) {
@@ -59,5 +74,8 @@ inline Vec3 round_to_float(Vec3 p) {
     const volatile float z = static_cast<float>(p.z);
     return {x, y, z};
 }
+
+// Finite, and a game can hold it as it is. -0 and 0 are one value, so comparing values is enough.
+inline bool is_float(Vec3 p) { return is_finite(p) && round_to_float(p) == p; }
 
 }

@@ -45,22 +45,17 @@ void report_topology(std::vector<Finding>& findings, const Report& report, const
                                        ": the shell is thin or its edges long there"));
     }
     if (!evidence.non_manifold.edges.empty()) {
-        Finding finding = warning("CULL_NON_MANIFOLD_EDGES", evidence.non_manifold.edges.size(),
-                                  "edges where more than two faces of the tets' surface meet");
+        Finding finding =
+            warning("CULL_NON_MANIFOLD_EDGES", 0, "edges where more than two faces of the tets' surface meet");
         for (const Edge& edge : evidence.non_manifold.edges) {
-            if (finding.places.size() == max_places) break;
             const Vec3 middle = (evidence.mesh.positions[edge[0]] + evidence.mesh.positions[edge[1]]) * 0.5;
-            finding.places.push_back({middle, edge[0], {}});
+            count_one(finding, {middle, edge[0], {}});
         }
         findings.push_back(std::move(finding));
     }
     if (!evidence.non_manifold.vertices.empty()) {
-        Finding finding = warning("CULL_NON_MANIFOLD_VERTICES", evidence.non_manifold.vertices.size(),
-                                  "nodes where the tets' surface touches itself");
-        for (const Index v : evidence.non_manifold.vertices) {
-            if (finding.places.size() == max_places) break;
-            finding.places.push_back({evidence.mesh.positions[v], v, {}});
-        }
+        Finding finding = warning("CULL_NON_MANIFOLD_VERTICES", 0, "nodes where the tets' surface touches itself");
+        for (const Index v : evidence.non_manifold.vertices) count_one(finding, {evidence.mesh.positions[v], v, {}});
         findings.push_back(std::move(finding));
     }
 }
@@ -71,12 +66,11 @@ void report_losses(std::vector<Finding>& findings, const Report& report, const E
         const auto locked =
             std::count_if(evidence.unused_vertices.begin(), evidence.unused_vertices.end(),
                           [&](Index v) { return v < evidence.shell.locked.size() && evidence.shell.locked[v]; });
-        Finding finding = warning("CULL_UNUSED_SHELL_VERTICES", evidence.unused_vertices.size(),
+        Finding finding = warning("CULL_UNUSED_SHELL_VERTICES", 0,
                                   "shell vertices that no tet uses (" + std::to_string(locked) +
                                       " of them locked): they stay as nodes, but nothing hangs on them");
         for (const Index v : evidence.unused_vertices) {
-            if (finding.places.size() == max_places) break;
-            finding.places.push_back({evidence.shell.positions[v], v, evidence.shell.components[component[v]].name});
+            count_one(finding, {evidence.shell.positions[v], v, evidence.shell.components[component[v]].name});
         }
         findings.push_back(std::move(finding));
     }
@@ -87,7 +81,7 @@ void report_losses(std::vector<Finding>& findings, const Report& report, const E
         if (report.regions[c].tets > 0 || report.regions[c].role == Role::cavity) continue;
         ++lost.count;
         const auto vertex = std::find(component.begin(), component.end(), c);
-        if (lost.places.size() == max_places || vertex == component.end()) continue;
+        if (!wants_place(lost) || vertex == component.end()) continue;
         const auto v = static_cast<Index>(vertex - component.begin());
         lost.places.push_back({evidence.shell.positions[v], v, report.regions[c].name});
     }
@@ -99,9 +93,7 @@ void report_doubt(std::vector<Finding>& findings, const Report& report, const Ev
                            "open components: the winding number decided what is inside; " +
                                percent_text(report.leak_share) + " of the volume is undecided; close the holes");
     for (Index c = 0; c < evidence.solid.is_closed.size(); ++c) {
-        if (evidence.solid.is_closed[c]) continue;
-        ++open.count;
-        if (open.places.size() < max_places) open.places.push_back({{}, c, evidence.shell.components[c].name});
+        if (!evidence.solid.is_closed[c]) count_one(open, {{}, c, evidence.shell.components[c].name});
     }
     if (open.count > 0) findings.push_back(std::move(open));
     if (report.leak_share > noticeable_leak) {

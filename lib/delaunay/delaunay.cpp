@@ -31,9 +31,7 @@ Finding duplicate_points(const std::vector<Vec3>& positions, const std::vector<I
                     0,
                     {}};
     for (Index point = 0; point < duplicate_of.size(); ++point) {
-        if (duplicate_of[point] == point) continue;
-        ++finding.count;
-        if (finding.places.size() < max_places) finding.places.push_back({positions[point], point, {}});
+        if (duplicate_of[point] != point) count_one(finding, {positions[point], point, {}});
     }
     return finding;
 }

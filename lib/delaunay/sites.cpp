@@ -47,7 +47,7 @@ void refuse_bad_points(std::span<const Vec3> positions) {
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const Vec3& p = positions[i];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        if (!is_finite(p)) {
             throw Error(ErrorKind::bad_input, "delaunay: point " + std::to_string(i) +
                                                   " has a coordinate that is not a finite number; remove or repair it");
         }

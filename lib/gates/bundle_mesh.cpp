@@ -7,8 +7,6 @@ namespace crumple::gates {
 
 namespace {
 
-Vec3 widen(Vec3f p) { return {p.x, p.y, p.z}; }
-
 // V: where a shell vertex is among the mesh's nodes; the mesh grows by those it lacks.
 std::vector<Index> nodes_of(const Bundle& bundle, const Shell& shell, TetMesh& mesh) {
     std::vector<Index> node(shell.positions.size(), none);

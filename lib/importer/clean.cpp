@@ -66,7 +66,7 @@ std::uint64_t drop_duplicates(const Surface& surface, Welded& shell, std::vector
     for (std::size_t i = 1; i < order.size(); ++i) {
         if (canonical(shell.triangles[order[i]]) != canonical(shell.triangles[order[i - 1]])) continue;
         keep[order[i]] = false;
-        if (finding.count++ < max_places) finding.places.push_back(place_of(shell, surface, order[i]));
+        count_one(finding, place_of(shell, surface, order[i]));
     }
     if (finding.count == 0) return 0;
     keep_triangles(shell, keep);
@@ -162,24 +162,22 @@ private:
     std::vector<bool> keep_;
 };
 
-std::uint64_t count_flat(const Surface& surface, const Welded& shell, Finding* finding) {
-    std::uint64_t count = 0;
+Finding find_flat(const Surface& surface, const Welded& shell) {
+    Finding finding{"SHELL_DEGENERATE", Severity::info, "", 0, {}};
     for (Index t = 0; t < shell.triangles.size(); ++t) {
-        if (!has_no_area(shell, shell.triangles[t])) continue;
-        if (++count <= max_places && finding) finding->places.push_back(place_of(shell, surface, t));
+        if (has_no_area(shell, shell.triangles[t])) count_one(finding, place_of(shell, surface, t));
     }
-    return count;
+    return finding;
 }
 
 std::uint64_t flatten_out(const Surface& surface, Welded& shell, std::vector<Finding>& findings) {
-    Finding finding{"SHELL_DEGENERATE", Severity::info, "", 0, {}};
-    finding.count = count_flat(surface, shell, &finding);
+    Finding finding = find_flat(surface, shell);
     if (finding.count == 0) return 0;
     // Needles side by side need a pass each; what is left after this many has a problem of its own.
     constexpr int max_passes = 32;
     for (int pass = 0; pass < max_passes && FlatTriangles(shell).pass(); ++pass) {
     }
-    const std::uint64_t left = count_flat(surface, shell, nullptr);
+    const std::uint64_t left = find_flat(surface, shell).count;
     finding.severity = left > 0 ? Severity::warning : Severity::info;
     finding.message = counted(finding.count, "triangle has", "triangles have") + " no area; " +
                       counted(finding.count - std::min(left, finding.count), "was", "were") +
@@ -196,8 +194,7 @@ void drop_unused_vertices(Welded& shell, Finding& unused_locks) {
     Index kept = 0;
     for (Index v = 0; v < number.size(); ++v) {
         if (number[v] == none) {
-            if (shell.locked[v] && unused_locks.count++ < max_places)
-                unused_locks.places.push_back({shell.positions[v], shell.source_vertex[v], ""});
+            if (shell.locked[v]) count_one(unused_locks, {shell.positions[v], shell.source_vertex[v], ""});
             continue;
         }
         number[v] = kept;

@@ -149,12 +149,13 @@ std::vector<Finding> judge_shape(const Shell& shell, const Context& context, std
         Finding& finding = first == second ? crossing : overlapping;
         const std::string name =
             shell.components[first].name + (first == second ? "" : " / " + shell.components[second].name);
-        if (finding.count++ < max_places) finding.places.push_back({pair.place, pair.first, name});
+        count_one(finding, {pair.place, pair.first, name});
     }
     for (std::size_t c = 0; c < shell.components.size(); ++c) {
         const Component& component = shell.components[c];
-        if (component.is_closed && component.volume > 0) continue;
-        if (!component.is_closed || hollow.count++ >= max_places) continue;
+        if (!component.is_closed || component.volume > 0) continue;
+        ++hollow.count;
+        if (!wants_place(hollow)) continue;
         const auto first =
             std::find(shell.component.begin(), shell.component.end(), static_cast<Index>(c)) - shell.component.begin();
         hollow.places.push_back(
@@ -177,7 +178,7 @@ std::vector<Finding> judge_unused_locks(const Scene& scene, const std::vector<Ve
     Finding finding{"LOCK_UNUSED", Severity::warning, "", 0, {}};
     for (std::size_t v = 0; v < scene.file_reds.size(); ++v) {
         if (is_used[v] || !formats::is_locked(scene.file_reds[v])) continue;
-        if (finding.count++ < max_places) finding.places.push_back({vertex_list[v], static_cast<Index>(v), ""});
+        count_one(finding, {vertex_list[v], static_cast<Index>(v), ""});
     }
     std::vector<Finding> findings;
     finish(finding, "locked vertex belongs to no face and was", "locked vertices belong to no face and were",

@@ -81,8 +81,8 @@ void find_odd_vertices(const Surface& surface, const char* code, const char* mes
     Finding finding{code, Severity::warning, message, 0, {}};
     FileVertices vertices(surface);
     for (std::size_t v = 0; v < surface.colors.size(); ++v) {
-        if (!has_color(surface, v) || !is_odd(surface.colors[v][0]) || !vertices.meets(v)) continue;
-        if (finding.count++ < max_places) finding.places.push_back(place_of(surface, v));
+        if (has_color(surface, v) && is_odd(surface.colors[v][0]) && vertices.meets(v))
+            count_one(finding, place_of(surface, v));
     }
     if (finding.count > 0) findings.push_back(std::move(finding));
 }
@@ -124,7 +124,7 @@ void find_uncolored_parts(const Surface& surface, std::vector<Finding>& findings
     std::vector<bool> placed(surface.parts.size(), false);
     for (std::size_t p = 0; p < surface.parts.size(); ++p) finding.count += !surface.parts[p].has_color;
     if (finding.count == 0 || finding.count == surface.parts.size()) return;
-    for (std::size_t v = 0; v < surface.positions.size() && finding.places.size() < max_places; ++v) {
+    for (std::size_t v = 0; v < surface.positions.size() && wants_place(finding); ++v) {
         const Index part = surface.vertex_part[v];
         if (surface.parts[part].has_color || placed[part]) continue;
         placed[part] = true;

@@ -180,8 +180,8 @@ void report_nesting(const Shell& shell, std::vector<Finding>& findings) {
     Finding nested{"SHELL_NESTED", Severity::info, "", 0, {}};
     Finding inverted{"SHELL_INVERTED", Severity::warning, "", 0, {}};
     const auto add = [&](Finding& finding, Index c) {
-        if (finding.count++ < max_places)
-            finding.places.push_back({first_corner(shell, c), none, shell.components[c].name});
+        ++finding.count;
+        if (wants_place(finding)) finding.places.push_back({first_corner(shell, c), none, shell.components[c].name});
     };
     for (Index c = 0; c < shell.components.size(); ++c) {
         const Component& component = shell.components[c];

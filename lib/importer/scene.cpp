@@ -138,8 +138,6 @@ bool all_finite(const Numbers& numbers) {
     return true;
 }
 
-bool is_finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 void check_positions(const std::vector<Vec3f>& positions, const std::string& whose) {
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const Vec3f& p = positions[v];

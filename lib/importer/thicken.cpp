@@ -193,7 +193,7 @@ Finding thicken_sheets(const Surface& surface, const Components& components, dou
         if (sheets.is_sheet(t)) {
             const Place place{shell.positions[shell.triangles[t][0]], t,
                               surface.objects[surface.parts[shell.part[t]].object].name};
-            if (finding.count++ < max_places) finding.places.push_back(place);
+            count_one(finding, place);
         } else {
             for (const Index v : shell.triangles[t]) builder.mark(v);
         }

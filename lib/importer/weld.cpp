@@ -198,9 +198,9 @@ void gather(const Surface& surface, const PaintedVertices& painted, const std::v
         if (paint == Paint::free) has_free[w] = true;
     }
     for (Index w = 0; w < count; ++w) {
-        if (!welded.locked[w] || !has_free[w] || welded.conflicts.count++ >= max_places) continue;
+        if (!welded.locked[w] || !has_free[w]) continue;
         const std::string& name = surface.objects[surface.parts[surface.vertex_part[first_copy[w]]].object].name;
-        welded.conflicts.places.push_back({welded.positions[w], welded.source_vertex[w], name});
+        count_one(welded.conflicts, {welded.positions[w], welded.source_vertex[w], name});
     }
 }
 

@@ -26,9 +26,7 @@ public:
                   const std::function<bool(Index)>& is_wrong) {
         Finding finding{std::move(code), Severity::error, std::move(message), 0, {}};
         for (Index i = 0; i < count; ++i) {
-            if (!is_wrong(i)) continue;
-            if (finding.places.size() < max_places) finding.places.push_back({{}, i, {}});
-            ++finding.count;
+            if (is_wrong(i)) count_one(finding, {{}, i, {}});
         }
         if (finding.count > 0) list.push_back(std::move(finding));
     }
@@ -37,8 +35,8 @@ public:
 };
 
 bool holds_in_float(Vec3 p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::fabs(p.x) <= 3.4e38 &&
-           std::fabs(p.y) <= 3.4e38 && std::fabs(p.z) <= 3.4e38 && round_to_float(p) == p;
+    return is_finite(p) && std::fabs(p.x) <= 3.4e38 && std::fabs(p.y) <= 3.4e38 && std::fabs(p.z) <= 3.4e38 &&
+           round_to_float(p) == p;
 }
 
 template <std::size_t N>

@@ -10,11 +10,6 @@ namespace {
 
 using Found = std::optional<Contradiction>;
 
-bool is_float(Vec3 p) {
-    const Vec3 rounded = round_to_float(p);
-    return std::isfinite(rounded.x) && std::isfinite(rounded.y) && std::isfinite(rounded.z) && p == rounded;
-}
-
 // Points that never belonged to a shell may be any doubles. Where the artist lets vertices slide, the tets have moved
 // on from the points they were made of.
 Found check_points(const Workspace& work) {

@@ -13,11 +13,9 @@ namespace crumple::pipeline {
 
 namespace {
 
-Vec3f to_float(Vec3 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
-
 Bundle bundle_of_work(const TetMesh& mesh, const Asset* asset) {
     Bundle bundle;
-    for (const Vec3 p : mesh.positions) bundle.rest_positions.push_back(to_float(p));
+    for (const Vec3 p : mesh.positions) bundle.rest_positions.push_back(narrow(p));
     bundle.tets = mesh.tets;
     if (asset) bundle.locked = asset->shell.locked;
     bundle.locked.resize(mesh.positions.size(), 0);
@@ -37,7 +35,7 @@ Bundle bundle_of_work(const TetMesh& mesh, const Asset* asset) {
 
 std::string export_shell(const Shell& shell) {
     std::vector<Vec3f> positions;
-    for (const Vec3 p : shell.positions) positions.push_back(to_float(p));
+    for (const Vec3 p : shell.positions) positions.push_back(narrow(p));
     return store::export_surface_obj(positions, shell.locked, shell.triangles);
 }
 

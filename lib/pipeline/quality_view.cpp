@@ -2,7 +2,6 @@
 #include "pipeline/quality_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "mesh/validate.h"
@@ -117,7 +116,7 @@ private:
 void add_visual(const VisualMesh& visual, quality::VertexEmbedding embedding, store::ViewFields& fields) {
     std::vector<Vec3f> positions;
     for (const Vec3 p : visual.positions) {
-        positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        positions.push_back(narrow(p));
     }
     fields.loose.push_back({visual.name + ".position", std::move(positions)});
     fields.loose.push_back({visual.name + ".distance", std::move(embedding.distance)});
@@ -142,9 +141,7 @@ void add_embedding(const Workspace& work, const Shown& shown, store::ViewFields&
 // reader with the reason.
 bool is_sound(const Shown& shown) {
     const auto is_node = [&](Index v) { return v < shown.positions.size(); };
-    const bool has_places = std::all_of(shown.positions.begin(), shown.positions.end(), [](Vec3 p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
+    const bool has_places = std::all_of(shown.positions.begin(), shown.positions.end(), is_finite<double>);
     const bool has_nodes = std::all_of(shown.mesh_to_node.begin(), shown.mesh_to_node.end(),
                                        [&](Index v) { return v == none || is_node(v); });
     const bool has_regions = shown.region.empty() || shown.region.size() == shown.tets.size();

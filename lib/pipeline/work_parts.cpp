@@ -2,7 +2,6 @@
 #include "pipeline/work_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "mesh/validate.h"
@@ -26,10 +25,8 @@ void refuse_problems(const FileReader& file, const std::string& path, const std:
 
 std::vector<Vec3> read_positions(const FileReader& file, const std::string& path) {
     auto positions = file.read<Vec3>(path);
-    const bool is_finite = std::all_of(positions.begin(), positions.end(), [](Vec3 p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
-    if (!is_finite) file.refuse(path, "a position is not finite");
+    if (!std::all_of(positions.begin(), positions.end(), is_finite<double>))
+        file.refuse(path, "a position is not finite");
     return positions;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 
 #include "core/parallel_for.h"
@@ -19,8 +18,6 @@ struct Move {
     Vec3 to;
     bool is_held = false;
 };
-
-bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 // The longest step that ends in the node's own material, off the shell.
 Move move_towards(Vec3 target, Vec3 from, Index material, const ShellInterior& interior) {

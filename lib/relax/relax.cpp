@@ -80,10 +80,8 @@ void report_outside_nodes(Report& report, const TetMesh& mesh, const std::vector
                     0,
                     {}};
     for (std::size_t n = 0; n < materials.size(); ++n) {
-        if (materials[n] != none) continue;
-        ++finding.count;
         const Index node = mesh.shell_vertex_count + static_cast<Index>(n);
-        if (finding.places.size() < max_places) finding.places.push_back({mesh.positions[node], node, {}});
+        if (materials[n] == none) count_one(finding, {mesh.positions[node], node, {}});
     }
     if (finding.count > 0) report.findings.push_back(finding);
 }

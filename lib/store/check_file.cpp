@@ -17,8 +17,7 @@ const std::string digest_prefix = "/digest/";
 void complain(std::vector<Finding>& findings, const char* code, const char* message, const std::string& path) {
     auto finding = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
     if (finding == findings.end()) finding = findings.insert(findings.end(), {code, Severity::error, message, 0, {}});
-    ++finding->count;
-    if (finding->places.size() < max_places) finding->places.push_back({nowhere, none, path});
+    count_one(*finding, {nowhere, none, path});
 }
 
 // The list in /digest; empty with a complaint when it does not agree with itself.

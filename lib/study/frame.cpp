@@ -11,8 +11,6 @@ namespace crumple::study {
 
 namespace {
 
-using solver::narrow;
-
 void read_tets(const Player& player, Frame& f) {
     f.plastic_strain.assign(player.bundle().tets.size(), 0);
     for (std::size_t t = 0; t < player.model().tet_count; ++t) {

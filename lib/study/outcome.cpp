@@ -11,7 +11,6 @@ namespace crumple::study {
 namespace {
 
 using solver::Mat3d;
-using solver::widen;
 
 // Where a body would be if it had only moved as a whole.
 struct RigidFit {

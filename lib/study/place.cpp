@@ -6,9 +6,6 @@
 namespace crumple::study {
 namespace {
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-Vec3f narrow(Vec3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
-
 double distance_to(const solver::Obstacle& obstacle, const Bundle& bundle) {
     double least = 1e300;
     for (const Vec3f p : bundle.rest_positions) least = std::min(least, nearest_surface(obstacle, widen(p)).distance);

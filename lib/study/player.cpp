@@ -12,8 +12,6 @@ namespace crumple::study {
 
 namespace {
 
-using solver::narrow;
-
 solver::Settings settings_of(const Scene& scene) {
     solver::Settings settings;
     settings.max_iterations = scene.iterations;
@@ -72,7 +70,7 @@ void Player::start_moving() {
     const Vec3 middle = box_of(bundle_).middle();
     const Vec3 turn = turn_of(scene_);
     for (std::size_t n = 0; n < model_.node_count; ++n) {
-        const Vec3 v = scene_.velocity + cross(turn, solver::widen(bundle_.rest_positions[n]) - middle);
+        const Vec3 v = scene_.velocity + cross(turn, widen(bundle_.rest_positions[n]) - middle);
         if (!bundle_.locked[n]) set_velocity(state_, n, narrow(v));
     }
 }

@@ -8,8 +8,6 @@ namespace {
 
 using solver::Mat3d;
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 Mat3d rotation_of(solver::Quaternion q) {
     const solver::Mat3 narrow = to_matrix(q);
     Mat3d wide;

@@ -96,8 +96,6 @@ struct RigidBody {
     void move(const solver::CarrierLoad& load);
 };
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 RigidBody::RigidBody(const Blob& blob, Vec3 place, Vec3 speed) : velocity(speed) {
     for (std::size_t i = 0; i < blob.mass.size(); ++i) {
         mass += static_cast<double>(blob.mass[i]);

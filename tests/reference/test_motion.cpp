@@ -98,7 +98,7 @@ Swing swing_of(const Bundle& bundle, const Mode& mode, double dt) {
     std::vector<Vec3f> positions = bundle.rest_positions;
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const Vec3 way = mode.shape[i] * start;
-        positions[i] += Vec3f{static_cast<float>(way.x), static_cast<float>(way.y), static_cast<float>(way.z)};
+        positions[i] += narrow(way);
     }
     move_nodes(body.model, body.state, positions, bundle.rest_positions);
     // How much of the mode there is now.

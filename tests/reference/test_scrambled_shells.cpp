@@ -29,7 +29,7 @@ Bundle cooked(const std::string& shell, const std::string& points, double young_
     }
     std::vector<Vec3f> positions;
     for (const Vec3 p : work.tets->positions) {
-        positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        positions.push_back(narrow(p));
     }
     return solver::test::bundle_of(std::move(positions), work.tets->tets,
                                    solver::test::elastic_material(young_pa, 0.3));

@@ -50,8 +50,6 @@ Vec3f bent(Vec3f p) {
     return {std::sin(angle) * (2 + p.y), std::cos(angle) * (2 + p.y) - 2, p.z * (1 + 0.1f * p.x)};
 }
 
-Vec3 widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 void copy_state(const solver::test::Body& from, reference::Body& to) {
     for (std::size_t i = 0; i < from.node_count(); ++i) {
         to.positions[i] = widen(from.x(i));
