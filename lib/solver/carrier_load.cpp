@@ -9,8 +9,9 @@
 namespace crumple::solver {
 namespace {
 
-// Each pass leaves of the error about the part of a radian that the whole turns in the step.
-constexpr int passes = 8;
+// Newton's: two or three are enough while the whole turns by less than a radian in the step.
+constexpr int passes = 10;
+constexpr double small_angle = 1e-6;  // rad a step: the square of it is round-off
 
 // v turned by a rotation vector.
 Vec3 turned(Vec3 v, Vec3 turn) {
@@ -26,16 +27,11 @@ public:
     explicit RestBody(const PointMasses& masses)
         : mass_(masses.mass()), matrix_(masses.matrix()), inverse_(inverse_of(matrix_, 1e-12)) {}
 
-    // Of the whole as it is now, where the carrier weighs `mass` at least.
-    [[nodiscard]] Matrix6 whole(double mass, const NodeShare& share) const {
-        Matrix6 sum = share.shifted;
-        for (std::size_t i = 0; i < 36; ++i) sum[i] += std::max(1.0, mass / mass_) * matrix_[i];
-        return sum;
-    }
-    // What of a push a change of its motion does not take.
-    [[nodiscard]] Six left_of(Six push, const Six& change, double mass) const {
-        add_to(push, -std::max(1.0, mass / mass_), times(matrix_, change));
-        return push;
+    // Of the carrier, which weighs `mass`, or as much as the nodes.
+    [[nodiscard]] Matrix6 of_mass(double mass) const {
+        Matrix6 all = matrix_;
+        for (double& entry : all) entry *= std::max(1.0, mass / mass_);
+        return all;
     }
 
     // How it turns once it has turned on for a step: its angular momentum stays where it was in the world.
@@ -50,6 +46,76 @@ private:
     double mass_;
     Matrix6 matrix_;
     Matrix6 inverse_;
+};
+
+// What is left to a carrier depends on how it will turn, since the nodes turn with it: seen from the world their share
+// does too. All in the frame as it was before the step.
+class Balance {
+public:
+    Balance(const Model& model, const State& state, Vec3 turn, const LoadInput& input)
+        : input_(input),
+          turn_(turn),
+          body_(model.rest_mass),
+          own_(body_.of_mass(input.carrier_mass)),
+          after_(share_of(model, state)),
+          given_(input.given) {
+        add_to(given_, 1, input.before.at(turn));
+    }
+
+    // N s and N m s on a carrier whose motion changes by `answer`.
+    [[nodiscard]] Six push(const Six& answer) const {
+        const Vec3 turn = turn_ + angular_part(answer);
+        const Six left = after_.at(input_.is_carrier_free ? body_.turning_on(turn, input_.dt) : turn_);
+        const Vec3 lever = cross(input_.before.shift, linear_part(answer));
+        const Vec3 force = linear_part(given_) - turned(linear_part(left), turn * input_.dt);
+        const Vec3 torque = angular_part(given_) - turned(angular_part(left), turn * input_.dt) - lever;
+        return {force.x, force.y, force.z, torque.x, torque.y, torque.z};
+    }
+
+    // The change of motion that takes the push it causes. Nodes far out that fly fast make the torque depend on the
+    // turning more than the carrier's own inertia does, hence Newton.
+    [[nodiscard]] Six answer() const {
+        Six answer{};
+        for (int pass = 0; pass < passes; ++pass) {
+            const Six left = missing(answer);
+            const Six more = times(inverse_of(slope(answer, left), 1e-12), left);
+            const double change = length(angular_part(more));
+            if (!std::isfinite(change)) break;
+            add_to(answer, 1, more);
+            if (!(change * input_.dt > small_angle)) break;
+        }
+        return answer;
+    }
+
+private:
+    [[nodiscard]] Six missing(const Six& answer) const {
+        Six left = push(answer);
+        add_to(left, -1, times(own_, answer));
+        return left;
+    }
+    // Minus how `missing`, which is `left` there, changes with the answer: by differences where it is not linear.
+    [[nodiscard]] Matrix6 slope(const Six& answer, const Six& left) const {
+        Matrix6 slope = own_;
+        const double step = small_angle / input_.dt;
+        for (std::size_t c = 0; c < 3; ++c) {
+            Vec3 along;
+            along[static_cast<int>(c)] = 1;
+            const Vec3 lever = cross(input_.before.shift, along);
+            Six beside = answer;
+            beside[3 + c] += step;
+            const Six then = missing(beside);
+            for (std::size_t r = 0; r < 3; ++r) slope[6 * (3 + r) + c] += lever[static_cast<int>(r)];
+            for (std::size_t r = 0; r < 6; ++r) slope[6 * r + 3 + c] = (left[r] - then[r]) / step;
+        }
+        return slope;
+    }
+
+    const LoadInput& input_;
+    Vec3 turn_;
+    RestBody body_;
+    Matrix6 own_;
+    NodeShare after_;
+    Six given_;
 };
 
 }
@@ -73,35 +139,9 @@ NodeShare share_of(const Model& model, const State& state) {
 }
 
 CarrierLoad load_of(const Model& model, const State& state, const Frame& frame, const LoadInput& input) {
-    const double dt = input.dt;
-    const Vec3 turn = frame.from_world(input.angular_velocity);
-    const NodeShare after = share_of(model, state);
-    const RestBody body(model.rest_mass);
-    const Matrix6 inverse = inverse_of(body.whole(input.carrier_mass, after), 1e-12);
-    Six push = input.given;
-    add_to(push, 1, input.before.at(turn));
-    // What is left to a free carrier depends on how it will turn. Seen from the world the nodes' share turns too.
-    Six answer{};
-    Vec3 new_turn = turn;
-    Vec3 force, torque;
-    double last_change = 1e300;
-    for (int pass = 0; pass < passes; ++pass) {
-        const Six left = after.at(input.is_carrier_free ? body.turning_on(new_turn, dt) : turn);
-        const Vec3 lever = cross(input.before.shift, linear_part(answer));
-        force = linear_part(push) - turned(linear_part(left), new_turn * dt);
-        torque = angular_part(push) - turned(angular_part(left), new_turn * dt) - lever;
-        if (!input.is_carrier_free) break;
-        const Six missing =
-            body.left_of({force.x, force.y, force.z, torque.x, torque.y, torque.z}, answer, input.carrier_mass);
-        const Six more = times(inverse, missing);
-        const double change = length(angular_part(more));
-        // What turns by more than a radian in the step never settles.
-        if (pass > 1 && !(change < last_change)) break;
-        last_change = change;
-        add_to(answer, 1, more);
-        new_turn = turn + angular_part(answer);
-    }
-    return {frame.to_world(force / dt), frame.to_world(torque / dt)};
+    const Balance balance(model, state, frame.from_world(input.angular_velocity), input);
+    const Six push = balance.push(input.is_carrier_free ? balance.answer() : Six{});
+    return {frame.to_world(linear_part(push) / input.dt), frame.to_world(angular_part(push) / input.dt)};
 }
 
 }

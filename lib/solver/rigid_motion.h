@@ -63,8 +63,8 @@ private:
     Vec3 first_, squares_, products_;
 };
 
-// Of a symmetric matrix that is positive definite; all zeros where it is not. A point or a line turns freely about
-// itself: `floor` of the largest entry is added to the diagonal.
+// Of a matrix whose symmetric part is positive definite; all zeros where a pivot tells that it is not. A point or a
+// line turns freely about itself: `floor` of the largest entry is added to the diagonal.
 [[nodiscard]] Matrix6 inverse_of(Matrix6 m, double floor);
 
 }
