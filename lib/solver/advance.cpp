@@ -56,7 +56,7 @@ Trial propose(const Model& model, const State& state, Workspace& w, const StepIn
         set_row(trial.velocities, node, u);
         trial.positions[4 * node + 3] = trial.velocities[4 * node + 3] = 0;  // what the solve left there
         const double mass = model.bundle.mass[node];
-        const Vec3f push = outside_force(model, state, input, node);
+        const Vec3f push = working_force(model, state, input, node);
         trial.kinetic += 0.5 * mass * static_cast<double>(dot(v, v));
         trial.relative += 0.5 * mass * static_cast<double>(dot(u, u));
         trial.work += static_cast<double>(dot(push, v)) * static_cast<double>(input.dt);

@@ -6,9 +6,9 @@
 
 namespace crumple::solver {
 
-// Newtons on a node, without wind. A frame that turns at w, faster by w' a second, adds -m (w' x r + w x (w x r) +
-// 2 w x v); gravity already holds what its acceleration adds.
-[[nodiscard]] inline Vec3f outside_force(const Model& model, const State& state, const StepInput& input,
+// Newtons on a node that do work on it, without wind. A frame that turns at w, faster by w' a second, adds
+// -m (w' x r + w x (w x r)); gravity already holds what its acceleration adds.
+[[nodiscard]] inline Vec3f working_force(const Model& model, const State& state, const StepInput& input,
                                          std::size_t node) {
     const float mass = model.bundle.mass[node];
     Vec3f push = input.gravity * mass;
@@ -16,8 +16,19 @@ namespace crumple::solver {
     const Vec3f turn = input.frame_turn;
     if (turn == Vec3f{} && input.frame_turn_rate == Vec3f{}) return push;
     const Vec3f x = position(state, node);
-    const Vec3f inertia = cross(input.frame_turn_rate, x) + cross(turn, cross(turn, x) + velocity(state, node) * 2.0f);
-    return push - inertia * mass;
+    return push - (cross(input.frame_turn_rate, x) + cross(turn, cross(turn, x))) * mass;
+}
+
+// And -2 m w x v: of the mean of v before and after it, so that it turns v and makes it no faster, however far the
+// frame turns in the step.
+[[nodiscard]] inline Vec3f outside_force(const Model& model, const State& state, const StepInput& input,
+                                         std::size_t node) {
+    const Vec3f push = working_force(model, state, input, node);
+    const Vec3f turn = input.frame_turn;
+    if (turn == Vec3f{}) return push;
+    const Vec3f drift = cross(turn, velocity(state, node));
+    const float part = 2 / (1 + input.dt * input.dt * dot(turn, turn));
+    return push - (drift - cross(turn, drift) * input.dt) * (part * model.bundle.mass[node]);
 }
 
 // Whether it is anything but 0 anywhere.

@@ -8,6 +8,7 @@
 
 #include "solver/body.h"
 #include "solver/instance.h"
+#include "solver/outside.h"
 #include "solver/sensor.h"
 
 namespace crumple::solver::test {
@@ -434,6 +435,24 @@ TEST(Carrier, ABlowEndsAsTheMomentumOfTheWhole) {
     EXPECT_LT(length(rider.spin() - spin), 1e-4 * length(spin));
 }
 
+// They turn with the carrier, and the torque it feels depends on that more than on its own inertia.
+TEST(Carrier, NodesFlungFarOutKeepMomentumAndMakeNoEnergy) {
+    Rider rider(bumper(elastic_material(1e3)), true);
+    const auto is_flung = [](Vec3f p) { return p.x < -0.8f && p.y < 0; };
+    rider.body.set_positions([&](Vec3f p) { return is_flung(p) ? p * 20.0f : p; });
+    rider.body.set_velocities([&](Vec3f p) { return is_flung(p) ? Vec3f{-30, 60, -20} : Vec3f{}; });
+    const Vec3 momentum = rider.momentum();
+    const Vec3 spin = rider.spin();
+    double start = 0;  // known once the first step has found the rotations
+    for (int i = 0; i < 60; ++i) {
+        rider.step(in_space());
+        EXPECT_LT(length(rider.momentum() - momentum), 1e-4 * length(momentum)) << i;
+        EXPECT_LT(length(rider.spin() - spin), 0.05 * length(spin)) << i;
+        if (i == 0) start = rider.energy();
+        EXPECT_LT(rider.energy(), 1.1 * start) << i;
+    }
+}
+
 // Braking throws the free part forward; without inertia it does not.
 TEST(Carrier, InertiaIsOptional) {
     for (const bool has_inertia : {false, true}) {
@@ -471,6 +490,20 @@ TEST(Carrier, ATurningFramePullsOutward) {
     }
     EXPECT_LT(tip, 0.05);  // settled: no spurious turning against the frame
     EXPECT_LT(centripetal, 0);
+}
+
+// However far the frame turns in a step.
+TEST(Carrier, TheCoriolisForceTurnsAVelocityAndMakesItNoFaster) {
+    Body body(grid_body({1, 1, 1}, {1, 1, 1}, elastic_material()));
+    set_velocity(body.state, 0, {3, 4, 1});  // at the origin: nothing is thrown outward
+    for (const float turn : {0.1f, 3.0f, 100.0f}) {
+        StepInput input;
+        input.frame_turn = {0, 0, turn};
+        const Vec3f push = outside_force(body.model, body.state, input, 0) * (input.dt / body.bundle.mass[0]);
+        const Vec3f v = velocity(body.state, 0);
+        EXPECT_NEAR(length(v + push), length(v), 1e-5f * length(v));
+        EXPECT_LT(dot(push, cross(Vec3f{0, 0, 1}, v)), 0);  // to the right of where it goes
+    }
 }
 
 }
