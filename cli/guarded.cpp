@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "cli/exit_codes.h"
+#include "pipeline/exit_codes.h"
 
 namespace crumple::cli {
 
@@ -14,13 +14,13 @@ int run_guarded(const Console& console, const std::function<int()>& work) {
         return work();
     } catch (const Error& error) {
         console.error(error.what());
-        return exit_code_of(error.kind());
+        return pipeline::exit_code_of(error.kind());
     } catch (const std::bad_alloc&) {
         console.error("out of memory");
-        return exit_code_of(ErrorKind::budget);
+        return pipeline::exit_code_of(ErrorKind::budget);
     } catch (const std::exception& error) {
         console.error(std::string("internal: ") + error.what());
-        return exit_internal;
+        return pipeline::exit_internal;
     }
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "cli/arguments.h"
-#include "cli/exit_codes.h"
 #include "cli/guarded.h"
 #include "cli/parse_error.h"
 #include "cli/verbs.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/version.h"
 #include "report/json_writer.h"
 
@@ -38,7 +38,7 @@ int print_version(const Session& session, bool as_json) {
     const auto info = crumple::pipeline::version_info();
     session.console.result(as_json ? crumple::report::write_json(crumple::report::Described::of(info))
                                    : "crumple " + info.version + "\n");
-    return crumple::cli::exit_ok;
+    return crumple::pipeline::exit_ok;
 }
 
 // CLI11 has exit codes of its own; ours are 0 for help and 1 for everything it refuses.
@@ -46,7 +46,7 @@ int parse(CLI::App& app, const std::vector<std::string>& arguments, Session& ses
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     try {
         app.parse(reversed);
-        return crumple::cli::exit_ok;
+        return crumple::pipeline::exit_ok;
     } catch (const CLI::Success& request) {
         app.exit(request);
         return -1;
@@ -54,7 +54,7 @@ int parse(CLI::App& app, const std::vector<std::string>& arguments, Session& ses
         if (crumple::cli::asks_for_json_lines(arguments)) session.console.progress = crumple::cli::ProgressStyle::json;
         session.console.error(crumple::cli::explain_parse_error(app, error, arguments),
                               "see " + crumple::cli::understood_call(app) + " --help\n");
-        return crumple::cli::exit_usage;
+        return crumple::pipeline::exit_usage;
     }
 }
 
@@ -68,11 +68,11 @@ int run(int count, const char* const* words, Session& session) {
     app.add_flag("--version", wants_version, "print the version and exit; with --json also the stages'");
     app.add_flag("--json", as_json)->group("");
     const int parsed = parse(app, crumple::cli::expand_arguments(count, words), session);
-    if (parsed != crumple::cli::exit_ok) return std::max(parsed, 0);
+    if (parsed != crumple::pipeline::exit_ok) return std::max(parsed, 0);
     if (wants_version) return print_version(session, as_json);
     if (session.run) return session.run();
     session.console.error("no verb", app.help());
-    return crumple::cli::exit_usage;
+    return crumple::pipeline::exit_usage;
 }
 
 }

@@ -2,7 +2,6 @@
 // crumple check, inspect and compare: what is in a file, and is it true
 #include <CLI/CLI.hpp>
 
-#include "cli/exit_codes.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/verbs.h"
@@ -10,6 +9,7 @@
 #include "pipeline/baseline.h"
 #include "pipeline/check.h"
 #include "pipeline/compare.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/inspect.h"
 #include "report/json_writer.h"
 #include "report/number_text.h"
@@ -44,7 +44,7 @@ int run_check(const FileFlags& flags, const Console& console) {
         report.files.push_back(pipeline::check_file(path));
         pipeline::FileCheck& file = report.files.back();
         if (compares) pipeline::compare_with(baseline, file);
-        report.exit_code = more_important(report.exit_code, file.exit_code);
+        report.exit_code = pipeline::more_important(report.exit_code, file.exit_code);
         if (flags.format == Format::text)
             console.result(pipeline::check_text(file, console.colors_results(), console.is_verbose));
     }
@@ -58,14 +58,14 @@ int run_inspect(const FileFlags& flags, const Console& console) {
     console.result(flags.format == Format::json
                        ? report::write_json(report::Described::of(report))
                        : pipeline::inspect_text(report, flags.lists_datasets || console.is_verbose));
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 int run_compare(const FileFlags& flags, const Console& console) {
     const pipeline::CompareReport report = pipeline::compare_files(flags.files[0], flags.files[1]);
     console.result(flags.format == Format::json ? report::write_json(report::Described::of(report))
                                                 : pipeline::compare_text(report));
-    return report.is_equal ? exit_ok : exit_difference;
+    return report.is_equal ? pipeline::exit_ok : pipeline::exit_difference;
 }
 
 using Run = int (*)(const FileFlags&, const Console&);

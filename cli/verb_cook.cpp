@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // crumple cook
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "cli/depfile.h"
-#include "cli/exit_codes.h"
 #include "cli/guarded.h"
 #include "cli/import_flags.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/verbs.h"
-#include "core/counted.h"
 #include "pipeline/builtin_recipes.h"
 #include "pipeline/cook.h"
+#include "pipeline/cook_text.h"
+#include "pipeline/exit_codes.h"
+#include "pipeline/last_report.h"
 #include "pipeline/output_file.h"
-#include "pipeline/shared_text.h"
-#include "report/json_reader.h"
 #include "report/json_writer.h"
-#include "report/number_text.h"
-#include "report/printable.h"
-#include "report/text_view.h"
 #include "store/write_file.h"
 
 namespace crumple::cli {
@@ -103,38 +98,13 @@ void print_report(const CookFlags& flags, const CookReport& report, const Consol
     if (is_stdout(flags.report) || flags.output.format == Format::json) console.result(json_of(report));
 }
 
-std::vector<std::string> summary_row(const std::string& name, const pipeline::Usage& usage,
-                                     const std::vector<Finding>& findings) {
-    const auto short_text = [](double number) { return report::number_text(number, 3); };
-    return {name, short_text(usage.cpu_s), short_text(usage.wall_s), short_text(usage.peak_memory_mb),
-            report::findings_summary(findings)};
-}
-
-std::string summary_text(const CookReport& report, const std::string& output, bool has_color) {
-    std::vector<std::vector<std::string>> rows{{"stage", "cpu s", "wall s", "peak MB", "findings"}};
-    std::vector<Finding> all;
-    for (const auto& stage : report.stages) {
-        rows.push_back(summary_row(stage.name, stage.usage, stage.findings));
-        all.insert(all.end(), stage.findings.begin(), stage.findings.end());
-    }
-    rows.push_back(summary_row("all", report.usage, all));
-    const std::size_t places = report.output.is_rejected ? max_places : 1;
-    std::string text = report::table_text(rows) + report::findings_text(all, {has_color, 0, places});
-    if (report.determinism_jobs > 0) {
-        text += "cooked again with " + counted(report.determinism_jobs, "thread", "threads") + ": the same bytes\n";
-    }
-    if (report.output.is_rejected) return text;
-    return text + report::printable(output) + ": " + report::size_text(report.output.bytes) +
-           (report.output.is_unchanged ? ", unchanged\n" : "\n");
-}
-
 // What stopped the cook is said first, and stays the reason when the report cannot be written either.
 int end_failed(const CookFlags& flags, const CookReport& report, const Console& console) {
     console.error(report.error);
     (void)run_guarded(console, [&] {
         if (is_file(flags.report)) write_text(flags.report, json_of(report));
         print_report(flags, report, console);
-        return exit_ok;
+        return pipeline::exit_ok;
     });
     return report.exit_code;
 }
@@ -163,63 +133,40 @@ int cook_now(CookCall call, const Console& console, const pipeline::Permission& 
         pipeline::cook(call.recipe, request, report, console.observer());
     } catch (const Error& error) {
         report.error = error.what();
-        report.exit_code = exit_code_of(error.kind());
+        report.exit_code = pipeline::exit_code_of(error.kind());
     } catch (const std::bad_alloc&) {
         report.error = "out of memory";
-        report.exit_code = exit_code_of(ErrorKind::budget);
+        report.exit_code = pipeline::exit_code_of(ErrorKind::budget);
     }
-    if (report.output.is_rejected) console.talk(summary_text(report, request.output, console.colors_talk()));
-    if (report.exit_code != exit_ok) return end_failed(flags, report, console);
+    if (report.output.is_rejected) console.talk(pipeline::cook_text(report, request.output, console.colors_talk()));
+    if (report.exit_code != pipeline::exit_ok) return end_failed(flags, report, console);
     print_report(flags, report, console);
     if (is_stdout(flags.depfile)) console.result(depfile_text(flags.output.path, call.inputs));
-    console.talk(summary_text(report, request.output, console.colors_talk()));
-    return exit_ok;
+    console.talk(pipeline::cook_text(report, request.output, console.colors_talk()));
+    return pipeline::exit_ok;
 }
 
 int run_dry(const CookFlags& flags, const Recipe& recipe, const CookRequest& request, const Console& console) {
     const pipeline::DryRunReport report = pipeline::dry_run(recipe, request);
-    if (flags.output.format == Format::json) {
-        console.result(report::write_json(report::Described::of(report)));
-        return exit_ok;
-    }
-    std::string text =
-        report::printable(request.output) + (report.would_change ? ": would be cooked\n" : ": up to date\n");
-    for (const std::string& reason : report.reasons) text += "  " + report::printable(reason) + "\n";
-    console.result(text);
-    return exit_ok;
-}
-
-// What the cook's own process had told when it was ended.
-CookReport last_report(const CookFlags& flags, const pipeline::SharedText& text, const pipeline::UsageMeter& meter) {
-    CookReport report;
-    report.recipe = flags.recipe;
-    const std::string json = text.read();
-    if (!json.empty()) {
-        report::read_json(json, "report", report::Described::of(report),
-                          {.kind = ErrorKind::internal, .allows_null = true});
-    }
-    report.usage = meter.read();
-    for (const auto& stage : report.stages)
-        report.usage.peak_memory_mb = std::max(report.usage.peak_memory_mb, stage.usage.peak_memory_mb);
-    return report;
+    console.result(flags.output.format == Format::json ? report::write_json(report::Described::of(report))
+                                                       : pipeline::dry_run_text(report, request.output));
+    return pipeline::exit_ok;
 }
 
 int cook_within(CookCall call, const Console& console) {
     const CookFlags& flags = call.flags;
-    const pipeline::UsageMeter meter;
-    pipeline::SharedText told;
-    call.request.keep_report = [&told](const CookReport& report) {
-        told.write(report::write_json(report::Described::of(report), report::JsonStyle::compact));
-    };
+    pipeline::LastReport last;
+    call.request.keep_report = [&last](const CookReport& report) { last.keep(report); };
     try {
         return pipeline::run_within(flags.budget, [&](const pipeline::Permission& may_finish) {
             return run_guarded(console, [&] { return cook_now(call, console, may_finish); });
         });
     } catch (const Error& error) {
-        CookReport report = last_report(flags, told, meter);
+        CookReport report = last.read();
+        report.recipe = flags.recipe;
         report.error = error.what();
         if (!report.stopped_in.empty()) report.error += "; it was in " + report.stopped_in;
-        report.exit_code = exit_code_of(error.kind());
+        report.exit_code = pipeline::exit_code_of(error.kind());
         return end_failed(flags, report, console);
     }
 }

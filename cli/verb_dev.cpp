@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <span>
 
-#include "cli/exit_codes.h"
 #include "cli/verbs.h"
 #include "core/error.h"
 #include "core/names.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/schemas.h"
 #include "report/text_view.h"
 #include "samples/samples.h"
@@ -48,7 +48,7 @@ int run_schema(const SchemaFlags& flags, const Console& console) {
                               std::as_bytes(std::span(file.text)));
         if (names.back() == flags.name) {
             console.result(file.text);
-            return exit_ok;
+            return pipeline::exit_ok;
         }
     }
     if (!flags.name.empty()) {
@@ -58,7 +58,7 @@ int run_schema(const SchemaFlags& flags, const Console& console) {
     if (flags.folder.empty()) {
         for (const std::string& name : names) console.result(name + "\n");
     }
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 void add_schema(CLI::App& dev, Session& session) {
@@ -81,11 +81,11 @@ int run_sample(const SampleFlags& flags, const Console& console) {
     if (flags.name.empty()) {
         for (const samples::Sample& sample : samples::list())
             console.result(std::string(sample.name) + "  " + std::string(sample.what) + "\n");
-        return exit_ok;
+        return pipeline::exit_ok;
     }
     if (flags.folder.empty()) throw Error(ErrorKind::usage, "dev sample: say where to write it: --out FOLDER");
     for (const std::string& path : samples::write(flags.name, flags.folder)) console.result(path + "\n");
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 void add_sample(CLI::App& dev, Session& session) {

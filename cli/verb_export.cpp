@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <span>
 
-#include "cli/exit_codes.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/verbs.h"
 #include "pipeline/bundle_gates.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/export_mesh.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
@@ -85,7 +85,7 @@ int run_export(const ExportFlags& flags, const Console& console) {
         store::write_file(target.path, std::as_bytes(std::span(text)));
         console.talk(report::printable(target.path) + ": " + report::size_text(text.size()) + "\n");
     }
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 }

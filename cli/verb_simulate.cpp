@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <span>
 
-#include "cli/exit_codes.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/run_series.h"
 #include "cli/verbs.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/output_file.h"
 #include "pipeline/work_file.h"
 #include "report/number_text.h"
@@ -110,7 +110,7 @@ int run_simulate(const SimulateFlags& flags, const Console& console) {
     }
     store::write_file(flags.output, image);
     console.talk(summary_of(run) + report::findings_text(run.findings, {}));
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 }

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "cli/exit_codes.h"
 #include "cli/import_flags.h"
 #include "cli/output_flags.h"
 #include "cli/output_paths.h"
 #include "cli/stage_flags.h"
 #include "cli/verbs.h"
 #include "pipeline/builtin_recipes.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/input_digests.h"
 #include "pipeline/output_file.h"
 #include "pipeline/points_file.h"
@@ -98,7 +98,7 @@ int run_stage_verb(const Stage& stage, const StageFlags& flags, const Console& c
     console.talk(report::printable(flags.output.path) + ": " + std::string(stage.name) + " in " +
                  report::number_text(run.usage.wall_s) + " s, " + report::findings_summary(run.findings) +
                  (is_changed ? "\n" : ", unchanged\n"));
-    return exit_ok;
+    return pipeline::exit_ok;
 }
 
 std::string example_of(const Stage& stage) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What stops a stage. Expected outcomes are data in a Report; an Error is thrown once, where the reason is known,
-// and says what, where and what to try. Each kind is one exit code (cli/exit_codes.h).
+// and says what, where and what to try. Each kind is one exit code (pipeline/exit_codes.h).
 #pragma once
 #include <stdexcept>
 #include <string>

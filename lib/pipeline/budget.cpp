@@ -2,12 +2,10 @@
 #include "pipeline/budget.h"
 
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -18,7 +16,10 @@
 #include <vector>
 
 #include "core/error.h"
+#include "pipeline/exit_codes.h"
 #include "report/number_text.h"
+#include "sandbox/process_memory.h"
+#include "sandbox/shared_word.h"
 
 namespace crumple::pipeline {
 
@@ -28,25 +29,16 @@ using Clock = std::chrono::steady_clock;
 
 enum Stand : int { working, finishing, ended };
 
-// One word that parent and child both see: whoever moves it away from `working` first decides.
+// Whoever moves it away from `working` first decides.
 class SharedStand {
 public:
-    SharedStand() {
-        void* page = mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (page == MAP_FAILED) throw Error(ErrorKind::internal, "no memory for the budget");
-        word_ = new (page) std::atomic<int>(working);
-    }
-    ~SharedStand() { munmap(word_, sizeof(std::atomic<int>)); }
-    SharedStand(const SharedStand&) = delete;
-    SharedStand& operator=(const SharedStand&) = delete;
-
     bool move_to(Stand stand) {
-        int expected = working;
-        return word_->compare_exchange_strong(expected, stand) || expected == stand;
+        Stand expected = working;
+        return (*word_).compare_exchange_strong(expected, stand) || expected == stand;
     }
 
 private:
-    std::atomic<int>* word_;
+    sandbox::SharedWord<Stand> word_{working};
 };
 
 std::string limit_text(const Budget& budget, bool is_time) {
@@ -64,12 +56,8 @@ std::vector<pid_t> children_of(pid_t process) {
 
 // Of the process and everything it started: memory that is its own, not shared files.
 double resident_mb(pid_t process) {
-    std::ifstream status("/proc/" + std::to_string(process) + "/statm");
-    std::uint64_t total = 0;
-    std::uint64_t resident = 0;
-    std::uint64_t shared = 0;
-    status >> total >> resident >> shared;
-    double sum = static_cast<double>((resident - shared) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE))) * 1e-6;
+    const sandbox::ProcessMemory memory = sandbox::memory_of(process);
+    double sum = static_cast<double>(memory.resident - memory.shared) * 1e-6;
     for (const pid_t child : children_of(process)) sum += resident_mb(child);
     return sum;
 }
@@ -119,7 +107,7 @@ private:
             throw Error(ErrorKind::budget, limit_text(budget, false) + "; the most was in " + where);
         if (!stand.move_to(finishing)) throw Error(ErrorKind::budget, limit_text(budget, true));
     };
-    int code = 5;
+    int code = exit_internal;
     try {
         code = work(may_finish);
     } catch (const std::exception& error) {

@@ -11,13 +11,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
 
 #include "core/error.h"
+#include "sandbox/process_memory.h"
 
 namespace crumple::sandbox {
 
@@ -51,16 +50,6 @@ void silence() {
         if (fd != null_fd) dup2(null_fd, fd);
     }
     if (null_fd > 2) close(null_fd);
-}
-
-// The fork shares our mappings, and they count: the limit is on what comes on top.
-std::size_t address_space_in_use() {
-    std::FILE* statm = std::fopen("/proc/self/statm", "r");
-    if (!statm) return 0;
-    unsigned long pages = 0;
-    const int read = std::fscanf(statm, "%lu", &pages);
-    std::fclose(statm);
-    return read == 1 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 void set_limit(decltype(RLIMIT_CORE) what, std::size_t bytes) {
@@ -104,7 +93,8 @@ void be_the_child(int pipe_fd, int parent_pid, const std::function<std::vector<s
     silence();
     set_limit(RLIMIT_CORE, 0);
     if (!has_sanitizer) {
-        const std::size_t in_use = address_space_in_use();
+        // The fork shares our mappings, and they count: the limit is on what comes on top.
+        const std::size_t in_use = memory_of(getpid()).address_space;
         if (limits.memory_bytes < RLIM_INFINITY - in_use) set_limit(RLIMIT_AS, in_use + limits.memory_bytes);
     }
     try {

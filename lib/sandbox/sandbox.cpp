@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,7 +18,9 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/file_descriptor.h"
 #include "sandbox/child_side.h"
+#include "sandbox/process_memory.h"
 
 namespace crumple::sandbox {
 
@@ -34,27 +37,6 @@ constexpr int max_wait_ms = 1000;
                 std::string("cannot start a child process: ") + what + ": " + std::strerror(errno));
 }
 
-class FileDescriptor {
-public:
-    explicit FileDescriptor(int fd = -1) : fd_(fd) {}
-    FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-        close_now();
-        fd_ = std::exchange(other.fd_, -1);
-        return *this;
-    }
-    ~FileDescriptor() { close_now(); }
-
-    void close_now() {
-        if (fd_ >= 0) close(fd_);
-        fd_ = -1;
-    }
-    [[nodiscard]] int get() const { return fd_; }
-
-private:
-    int fd_;
-};
-
 struct Pipe {
     FileDescriptor read_end;
     FileDescriptor write_end;
@@ -63,9 +45,9 @@ struct Pipe {
 // Where our own stdin, stdout or stderr are closed, a new descriptor may be 0, 1 or 2: the child will put /dev/null
 // there.
 FileDescriptor above_standard_streams(FileDescriptor fd) {
-    if (fd.get() > 2) return fd;
-    FileDescriptor moved(fcntl(fd.get(), F_DUPFD_CLOEXEC, 3));
-    if (moved.get() < 0) cannot_start("fcntl");
+    if (fd.id() > 2) return fd;
+    FileDescriptor moved(fcntl(fd.id(), F_DUPFD_CLOEXEC, 3));
+    if (moved.id() < 0) cannot_start("fcntl");
     return moved;
 }
 
@@ -102,16 +84,7 @@ public:
         return waited < 0 ? std::nullopt : std::optional<int>(status);
     }
 
-    [[nodiscard]] std::size_t resident_bytes() const {
-        const std::string path = "/proc/" + std::to_string(pid_) + "/statm";
-        std::FILE* statm = std::fopen(path.c_str(), "r");
-        if (!statm) return 0;
-        unsigned long total = 0;
-        unsigned long resident = 0;
-        const int read = std::fscanf(statm, "%lu %lu", &total, &resident);
-        std::fclose(statm);
-        return read == 2 ? static_cast<std::size_t>(resident) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
-    }
+    [[nodiscard]] std::uint64_t resident_bytes() const { return memory_of(pid_).resident; }
 
 private:
     pid_t pid_;
@@ -130,8 +103,28 @@ Outcome out_of_time(const Limits& limits) {
     return ended(Ending::out_of_time, text);
 }
 
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB of memory"; }
+
 Outcome out_of_memory(const Limits& limits) {
-    return ended(Ending::out_of_memory, "more than " + std::to_string(limits.memory_bytes >> 20) + " MiB of memory");
+    return ended(Ending::out_of_memory, "more than " + mebibytes(limits.memory_bytes));
+}
+
+// What the system lets a child take beyond what we use.
+std::uint64_t room_for_a_child() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return RLIM_INFINITY;
+    const std::uint64_t in_use = memory_of(getpid()).address_space;
+    return limit.rlim_max > in_use ? limit.rlim_max - in_use : 0;
+}
+
+Outcome starved(std::uint64_t room) {
+    return ended(Ending::starved,
+                 "it takes more than the " + mebibytes(room) + " that the system leaves for it; raise ulimit -v");
+}
+
+Outcome no_memory_left(const Limits& limits) {
+    const std::uint64_t room = room_for_a_child();
+    return room < limits.memory_bytes ? starved(room) : out_of_memory(limits);
 }
 
 const char* signal_name(int signal) {
@@ -158,6 +151,9 @@ const char* signal_name(int signal) {
 }
 
 Outcome died(std::optional<int> status) {
+    // With less, not even a stack can grow, and a crash says nothing of the file.
+    constexpr std::uint64_t least_room = std::uint64_t{16} << 20;
+    if (const std::uint64_t room = room_for_a_child(); room < least_room) return starved(room);
     if (!status) return ended(Ending::crashed, "ended without an answer");
     if (WIFEXITED(*status)) {
         return ended(Ending::crashed, "ended with status " + std::to_string(WEXITSTATUS(*status)) + " and no answer");
@@ -234,7 +230,7 @@ Outcome receive(int fd, Child& child, const Limits& limits) {
     if (progress == Progress::closed) return died(child.wait_status());
 
     const auto ending = static_cast<Ending>(header.ending);
-    if (ending == Ending::out_of_memory) return out_of_memory(limits);
+    if (ending == Ending::out_of_memory) return no_memory_left(limits);
     Outcome outcome;
     outcome.ending = ending == Ending::ok ? Ending::ok : Ending::refused;
     outcome.kind = kind_of(header);
@@ -254,12 +250,12 @@ Outcome run_in_child(const std::function<std::vector<std::byte>()>& function, co
     const pid_t pid = fork();
     if (pid < 0) cannot_start("fork");
     if (pid == 0) {
-        pipe.read_end.close_now();
-        be_the_child(pipe.write_end.get(), parent, function, limits);
+        pipe.read_end.close();
+        be_the_child(pipe.write_end.id(), parent, function, limits);
     }
     Child child(pid);
-    pipe.write_end.close_now();
-    return receive(pipe.read_end.get(), child, limits);
+    pipe.write_end.close();
+    return receive(pipe.read_end.id(), child, limits);
 }
 
 }

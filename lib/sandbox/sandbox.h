@@ -17,7 +17,8 @@ struct Limits {
     std::size_t answer_bytes = std::size_t{8} << 30;  // of what it may send back; more ends as out_of_memory
 };
 
-enum class Ending { ok, refused, crashed, out_of_time, out_of_memory };
+// starved: the system itself (ulimit -v) leaves the child less memory than the limit, and that was not enough.
+enum class Ending { ok, refused, crashed, out_of_time, out_of_memory, starved };
 
 struct Outcome {
     Ending ending = Ending::ok;

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "store/file_descriptor.h"
+#include "core/file_descriptor.h"
 
 namespace crumple::store {
 namespace {

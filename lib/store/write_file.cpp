@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "store/file_descriptor.h"
+#include "core/file_descriptor.h"
 
 namespace crumple::store {
 namespace {

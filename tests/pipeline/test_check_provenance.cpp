@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "pipeline/check.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/small_work.h"
 #include "pipeline/work_file.h"
 
@@ -49,7 +50,7 @@ TEST(CheckProvenance, AnUntrueBundleIsDamaged) {
     Workspace work = small_work::cooked();
     work.bundle->provenance.input_digests[0].value[0] = 'b';
     const auto check = check_image(work_image(work, {}), "a.hdf");
-    EXPECT_EQ(check.exit_code, 7);
+    EXPECT_EQ(check.exit_code, crumple::pipeline::exit_difference);
     ASSERT_EQ(check.problems.size(), 1u);
     EXPECT_EQ(check.problems[0].code, "BUNDLE_PROVENANCE");
 }
@@ -78,7 +79,7 @@ TEST(CheckProvenance, ANewerProgramsBundleIsReadAndSaysSo) {
     Workspace work = small_work::cooked();
     const auto says_newer = [&] {
         const auto check = check_image(work_image(work, {}), "a.hdf");
-        EXPECT_NE(check.exit_code, 7);
+        EXPECT_NE(check.exit_code, crumple::pipeline::exit_difference);
         return std::any_of(check.findings.begin(), check.findings.end(),
                            [](const crumple::Finding& f) { return f.code == "BUNDLE_NEWER"; });
     };

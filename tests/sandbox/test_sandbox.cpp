@@ -2,6 +2,7 @@
 #include "sandbox/sandbox.h"
 
 #include <dirent.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "sandbox/process_memory.h"
 
 namespace crumple::sandbox {
 namespace {
@@ -148,16 +150,32 @@ TEST(Sandbox, BusyLoopEndsAtTheTimeLimit) {
     EXPECT_EQ(outcome.ending, Ending::out_of_time);
 }
 
+[[noreturn]] Bytes eat_all_memory() {
+    std::vector<std::unique_ptr<Bytes>> pieces;
+    for (;;) pieces.push_back(std::make_unique<Bytes>(std::size_t{1} << 20, std::byte{1}));
+}
+
 TEST(Sandbox, RunawayMemoryEndsAtTheMemoryLimit) {
     Limits limits;
     limits.memory_bytes = std::size_t{64} << 20;
-    const auto eat = []() -> Bytes {
-        std::vector<std::unique_ptr<Bytes>> pieces;
-        for (;;) pieces.push_back(std::make_unique<Bytes>(std::size_t{1} << 20, std::byte{1}));
-    };
-    const Outcome outcome = run_in_child(eat, limits);
+    const Outcome outcome = run_in_child(eat_all_memory, limits);
     EXPECT_EQ(outcome.ending, Ending::out_of_memory);
     EXPECT_NE(outcome.message.find("64 MiB"), std::string::npos);
+}
+
+// The limit is for good: in a process of its own.
+[[noreturn]] void eat_what_the_system_leaves(std::size_t bytes) {
+    const rlim_t most = memory_of(getpid()).address_space + bytes;
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+    const Outcome outcome = run_in_child(eat_all_memory, {});
+    const bool is_told = outcome.message.find("ulimit -v") != std::string::npos;
+    _exit(outcome.ending == Ending::starved && is_told ? 0 : 1);
+}
+
+TEST(Sandbox, LessMemoryThanTheLimitIsNotTheChildsFault) {
+    if (sanitized) GTEST_SKIP() << "AddressSanitizer's own mappings exclude a limit on the address space";
+    EXPECT_EXIT(eat_what_the_system_leaves(std::size_t{100} << 20), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(Sandbox, OneAbsurdAllocationEndsAtTheMemoryLimit) {

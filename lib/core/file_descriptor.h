@@ -5,11 +5,11 @@
 
 #include <utility>
 
-namespace crumple::store {
+namespace crumple {
 
 class FileDescriptor {
 public:
-    explicit FileDescriptor(int id) : id_(id) {}
+    explicit FileDescriptor(int id = -1) : id_(id) {}
     ~FileDescriptor() { close(); }
     FileDescriptor(FileDescriptor&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
     FileDescriptor& operator=(FileDescriptor&& other) noexcept {
@@ -17,7 +17,7 @@ public:
         return *this;
     }
 
-    [[nodiscard]] int id() const { return id_; }
+    [[nodiscard]] int id() const { return id_; }  // -1: none
     // False when the system reports a late write error.
     bool close() { return id_ < 0 || ::close(std::exchange(id_, -1)) == 0; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says with its exit code.
+// What the program says with its exit code; reports repeat it.
 //
 //     0  ok                         4  a quality gate is not met
 //     1  usage: option, recipe      5  internal error: a bug
@@ -11,11 +11,15 @@
 
 #include "core/error.h"
 
-namespace crumple::cli {
+namespace crumple::pipeline {
 
 inline constexpr int exit_ok = 0;
 inline constexpr int exit_usage = 1;
+inline constexpr int exit_file = 2;
+inline constexpr int exit_bad_input = 3;
+inline constexpr int exit_quality = 4;
 inline constexpr int exit_internal = 5;
+inline constexpr int exit_budget = 6;
 inline constexpr int exit_difference = 7;
 
 constexpr int exit_code_of(ErrorKind kind) {
@@ -23,15 +27,15 @@ constexpr int exit_code_of(ErrorKind kind) {
         case ErrorKind::usage:
             return exit_usage;
         case ErrorKind::file:
-            return 2;
+            return exit_file;
         case ErrorKind::bad_input:
-            return 3;
+            return exit_bad_input;
         case ErrorKind::quality:
-            return 4;
+            return exit_quality;
         case ErrorKind::internal:
             return exit_internal;
         case ErrorKind::budget:
-            return 6;
+            return exit_budget;
         case ErrorKind::difference:
             return exit_difference;
     }
@@ -40,7 +44,8 @@ constexpr int exit_code_of(ErrorKind kind) {
 
 // Over many files: the first of 5 2 7 3 6 4 0 that occurred.
 constexpr int more_important(int a, int b) {
-    constexpr std::array order{5, 2, 7, 3, 6, 4, 0};
+    constexpr std::array order{exit_internal, exit_file,    exit_difference, exit_bad_input,
+                               exit_budget,   exit_quality, exit_ok};
     for (const int code : order) {
         if (a == code || b == code) return code;
     }
