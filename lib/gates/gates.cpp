@@ -6,6 +6,7 @@
 #include "bundle/summary.h"
 #include "gates/bundle_mesh.h"
 #include "gates/fidelity.h"
+#include "gates/judge.h"
 
 namespace crumple::gates {
 
@@ -34,12 +35,12 @@ void count_embedding(const Bundle& bundle, quality::Embedding& embedding) {
     }
 }
 
-std::vector<Finding> judge(const Bundle& bundle, const quality::Figures& figures, const TetMesh& mesh,
-                           const Shell* shell, const Params& params, const quality::EmbeddingResult* embedding) {
+std::vector<Finding> findings_of(const Bundle& bundle, const quality::Figures& figures, const TetMesh& mesh,
+                                 const Shell* shell, const Params& params, const quality::EmbeddingResult* embedding) {
     const std::vector<std::string> materials = material_names(bundle);
     const std::vector<Vec3> painted = painted_places(bundle);
     const quality::PlaceNames names{bundle.regions, materials, bundle.material, painted};
-    std::vector<Finding> findings = quality::judge(figures, mesh, shell, params.limits, names, embedding);
+    std::vector<Finding> findings = judge(figures, mesh, shell, params.limits, names, embedding);
     for (Finding& finding : findings) {
         if (!params.enforce && finding.severity == Severity::error) finding.severity = Severity::warning;
     }
@@ -76,7 +77,7 @@ Report judge_bundle(const Bundle& bundle, const Asset& asset, const Solid& solid
     const auto embedding = quality::measure_embedding(asset.shell, mesh, asset.visuals, bindings_of(bundle), context);
     figures.embedding = embedding.total;
     count_embedding(bundle, figures.embedding);
-    report.findings = judge(bundle, figures, mesh, &shell, params, &embedding);
+    report.findings = findings_of(bundle, figures, mesh, &shell, params, &embedding);
     context.tell_progress("gates", 1);
     return report;
 }
@@ -93,7 +94,7 @@ Report judge_again(const Bundle& bundle, const Report& told, const Params& param
     figures.fidelity = told.figures.fidelity;
     figures.embedding = told.figures.embedding;
     count_embedding(bundle, figures.embedding);
-    report.findings = judge(bundle, figures, mesh, nullptr, params, nullptr);
+    report.findings = findings_of(bundle, figures, mesh, nullptr, params, nullptr);
     prefer_told(told.findings, report.findings);
     return report;
 }

@@ -9,8 +9,9 @@
 #include "core/context.h"
 #include "core/fields.h"
 #include "core/finding.h"
+#include "gates/limits.h"
 #include "mesh/asset.h"
-#include "quality/gates.h"
+#include "quality/figures.h"
 
 namespace crumple::gates {
 
@@ -19,7 +20,7 @@ inline constexpr int version = 1;
 struct Params {
     bool enforce = true;
     std::uint32_t hausdorff_samples = 4000;
-    quality::GateParams limits;
+    Limits limits;
 };
 
 struct Report {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "pipeline/bundle_gates.h"
+#include "pipeline/exit_codes.h"
 #include "report/json_reader.h"
 #include "report/json_writer.h"
 #include "report/text_view.h"
@@ -21,16 +22,16 @@ std::string asset_of(const std::string& path) { return std::filesystem::path(pat
 bool has_figures(const FileCheck& check) { return check.figures.shape.tets > 0; }
 
 // The first figure that is 0, which could not be compared; null: none. Only a mesh that cannot be simulated has such.
-const char* missing_in(const quality::Baseline& figures) {
+const char* missing_in(const gates::Baseline& figures) {
     if (figures.tets == 0) return "tets";
     if (!(figures.volume > 0)) return "volume";
     if (figures.pcg_soft == 0) return "pcg_soft";
     return figures.pcg_stiff == 0 ? "pcg_stiff" : nullptr;
 }
 
-quality::GateParams limits_of(const FileCheck& check) {
+gates::Limits limits_of(const FileCheck& check) {
     const auto told = told_gates(check.record);
-    return told ? told->params.limits : quality::GateParams();
+    return told ? told->params.limits : gates::Limits();
 }
 
 }
@@ -75,15 +76,16 @@ void compare_with(const BaselineFile& baseline, FileCheck& check) {
                                   {}});
         return;
     }
-    for (Finding& finding : quality::judge_against(known->second, check.figures, limits_of(check)))
+    for (Finding& finding : gates::judge_against(known->second, check.figures, limits_of(check)))
         check.findings.push_back(std::move(finding));
-    if (check.exit_code == 0 && report::has_severity(check.findings, Severity::error)) check.exit_code = gate_not_met;
+    if (check.exit_code == exit_ok && report::has_severity(check.findings, Severity::error))
+        check.exit_code = exit_quality;
 }
 
 void update_baseline(const std::string& path, BaselineFile baseline, const std::vector<FileCheck>& checks) {
     for (const FileCheck& check : checks) {
-        const quality::Baseline figures = quality::baseline_of(check.figures);
-        if (check.exit_code == 0 && !missing_in(figures)) baseline.assets[asset_of(check.path)] = figures;
+        const gates::Baseline figures = gates::baseline_of(check.figures);
+        if (check.exit_code == exit_ok && !missing_in(figures)) baseline.assets[asset_of(check.path)] = figures;
     }
     const std::string json = report::write_json(report::Described::of(baseline));
     store::write_file(path, std::as_bytes(std::span(json)));

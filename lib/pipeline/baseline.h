@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "gates/baseline.h"
 #include "pipeline/check.h"
 
 namespace crumple::pipeline {
 
 struct BaselineFile {
     std::string schema = "crumple/baseline/1";
-    std::map<std::string, quality::Baseline> assets;  // by the bundle's file name without folder and ending
+    std::map<std::string, gates::Baseline> assets;  // by the bundle's file name without folder and ending
 };
 
 template <class Visitor, FieldsOf<BaselineFile> B>

@@ -2,7 +2,9 @@
 #include "pipeline/check.h"
 
 #include "bundle/blob.h"
+#include "gates/shape_problems.h"
 #include "pipeline/check_provenance.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/in_child.h"
 #include "pipeline/work_file.h"
 #include "report/printable.h"
@@ -13,8 +15,6 @@
 namespace crumple::pipeline {
 
 namespace {
-
-constexpr int damaged = 7;
 
 // The findings a stored report holds. A report of another version of the stage may have another form, but findings are
 // the same in all of them.
@@ -35,7 +35,7 @@ std::string without_name(const std::string& message, const std::string& name) {
 // A work file that has not come to a bundle yet: shapes only, and nothing fails.
 void measure_tets(const TetMesh& tets, FileCheck& check) {
     check.figures.shape = quality::summarize(tets);
-    check.findings = quality::find_problems(tets, check.figures.shape);
+    check.findings = gates::find_problems(tets, check.figures.shape);
 }
 
 void ask_gates(const Workspace& work, bool from_blob, FileCheck& check) {
@@ -43,7 +43,7 @@ void ask_gates(const Workspace& work, bool from_blob, FileCheck& check) {
     check.figures = gates.report.figures;
     check.findings = std::move(gates.report.findings);
     check.shell = gates.shell;
-    if (report::has_severity(check.findings, Severity::error)) check.exit_code = gate_not_met;
+    if (report::has_severity(check.findings, Severity::error)) check.exit_code = exit_quality;
     if (gates.was_asked) return;
     check.findings.push_back({"GATES_NOT_ASKED",
                               Severity::info,
@@ -57,7 +57,7 @@ void ask_gates(const Workspace& work, bool from_blob, FileCheck& check) {
 
 bool stop_at_problems(FileCheck& check) {
     if (check.problems.empty()) return false;
-    check.exit_code = damaged;
+    check.exit_code = exit_difference;
     check.error = check.problems.front().code + ": " + check.problems.front().message;
     return true;
 }
@@ -100,7 +100,8 @@ FileCheck check_file(const std::string& path) {
     } catch (const Error& error) {
         FileCheck check;
         check.path = path;
-        check.exit_code = error.kind() == ErrorKind::file ? 2 : error.kind() == ErrorKind::internal ? 5 : damaged;
+        const bool is_damage = error.kind() == ErrorKind::bad_input || error.kind() == ErrorKind::usage;
+        check.exit_code = is_damage ? exit_difference : exit_code_of(error.kind());
         check.error = error.what();
         return check;
     }
@@ -109,7 +110,7 @@ FileCheck check_file(const std::string& path) {
 namespace {
 
 std::string failure_text(const FileCheck& check, const std::string& name, bool has_color) {
-    const std::string verdict = name + (check.exit_code == damaged ? ": DAMAGED" : ": ERROR");
+    const std::string verdict = name + (check.exit_code == exit_difference ? ": DAMAGED" : ": ERROR");
     if (check.problems.empty())
         return verdict + ": " +
                report::printable(report::shortened(without_name(check.error, check.path), report::longest_message)) +
@@ -123,7 +124,7 @@ std::string verdict_text(const FileCheck& check, const std::string& name) {
     for (const StageFindings& stage : check.stages) {
         if (stage.stage != "gates") all.insert(all.end(), stage.findings.begin(), stage.findings.end());
     }
-    const char* verdict = check.exit_code == gate_not_met
+    const char* verdict = check.exit_code == exit_quality
                               ? ": GATE NOT MET; every digest right, every invariant holds; "
                               : ": ok, every digest right, every invariant holds; ";
     return name + verdict + report::findings_summary(all) + "\n";
@@ -134,9 +135,9 @@ std::string verdict_text(const FileCheck& check, const std::string& name) {
 std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) {
     const std::string name = report::printable(report::shortened(check.path, report::longest_message));
     const std::size_t places = is_verbose ? max_places : 0;
-    if (check.exit_code != 0 && check.exit_code != gate_not_met) return failure_text(check, name, has_color);
+    if (check.exit_code != exit_ok && check.exit_code != exit_quality) return failure_text(check, name, has_color);
     std::string text = verdict_text(check, name);
-    const std::size_t gate_places = check.exit_code == gate_not_met ? max_places : places;
+    const std::size_t gate_places = check.exit_code == exit_quality ? max_places : places;
     text += report::findings_text(check.findings, {has_color, 2, gate_places});
     for (const StageFindings& stage : check.stages) {
         if (stage.stage == "gates") continue;

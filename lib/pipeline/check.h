@@ -41,7 +41,8 @@ template <class Visitor, FieldsOf<FileCheck> C>
 void describe(Visitor& visit, C& c) {
     visit.field("path", c.path, "as given");
     visit.field("exit_code", c.exit_code,
-                "0: whole, true and good; 4: a quality gate is not met; 7: damaged or untrue; 2: cannot be opened");
+                "0: whole, true and good; 4: a quality gate is not met; 7: damaged or untrue; 2: cannot be opened; "
+                "6: the system leaves too little memory to read it");
     visit.field("error", c.error, "why it could not be checked to the end");
     visit.field("digest", c.digest, "of all datasets and attributes: equal for equal content whatever the layout");
     visit.field("problems", c.problems, "digests that are wrong, invariants that do not hold");
@@ -65,8 +66,6 @@ void describe(Visitor& visit, R& r) {
     visit.field("exit_code", r.exit_code, "of the whole: the first of 5 2 7 3 6 4 0 that occurred");
     visit.field("files", r.files, "in the order given");
 }
-
-inline constexpr int gate_not_met = 4;
 
 // Throws Error(bad_input) for a damaged image. A problem means exit code 7, a gate that fails 4: the gates of the
 // recipe it was cooked with, so that what `cook` accepted passes.

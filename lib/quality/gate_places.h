@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tells an artist where something is: what it measures, in which component, of which material, by which painted vertex.
 #pragma once
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/finding.h"
 #include "mesh/tet_mesh.h"
-#include "quality/gates.h"
+#include "quality/embedding.h"
+#include "quality/shell_limits.h"
 
 namespace crumple::quality {
+
+// How places are told to the artist; what is empty is left out.
+struct PlaceNames {
+    std::span<const std::string> components;      // by TetMesh::region
+    std::span<const std::string> materials;       // by tet_material
+    std::span<const std::uint16_t> tet_material;  // T
+    std::span<const Vec3> painted;                // places of the painted vertices
+};
 
 // By which measure tets are bad.
 enum class Badness { flattest, widest, least_volume, least_radius, least_step, stiffest };

@@ -85,8 +85,4 @@ struct Score {
 [[nodiscard]] std::vector<Place> stiffest_tets(std::span<const Vec3> positions, std::span<const Tet> tets,
                                                std::size_t count = max_places);
 
-// QUALITY_INVERTED, QUALITY_MIN_DIHEDRAL, QUALITY_MAX_DIHEDRAL, QUALITY_BELOW_10_DEG, QUALITY_P5_DIHEDRAL,
-// QUALITY_FLAT_TET, QUALITY_RADIUS_RATIO, QUALITY_ELEMENT_STEP, QUALITY_STIFFNESS_RATIO: whatever is out of bounds.
-[[nodiscard]] std::vector<Finding> find_problems(const TetMesh& mesh, const Summary& summary);
-
 }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quality/gates.h"
+#include "gates/judge.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
-#include <functional>
+#include <string>
 
+#include "gates/judgement.h"
 #include "mesh/boundary.h"
-#include "quality/gate_places.h"
 
-namespace crumple::quality {
+namespace crumple::gates {
 
 namespace {
+
+using quality::Badness;
+using quality::Limit;
+using quality::PlaceTeller;
 
 constexpr const char* thicken =
     "thicken it there, or cut its triangles finer until an edge is no longer than five times the thickness";
@@ -22,40 +24,6 @@ constexpr const char* part_surfaces =
     "fifth of their edges";
 constexpr const char* mesh_better =
     "try more interior points (sample.points) or another seed (sample.seed), with finish.mode full";
-
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
-    char text[512];
-    std::va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
-
-// Collects the gates that are not met.
-class Judgement {
-public:
-    // Calls `tell` for remedy and places only when the gate is not met; `what` names the figure.
-    struct Told {
-        std::string remedy;
-        std::vector<Place> places;
-        std::uint64_t count = 1;
-    };
-    void ask(const char* code, const std::string& what, double value, const Gate& gate, Wanted wanted,
-             const std::function<Told()>& tell) {
-        const bool fails = is_beyond(value, gate.fail, wanted);
-        if (!fails && !is_beyond(value, gate.warn, wanted)) return;
-        Told told = tell();
-        const double limit = fails ? gate.fail : gate.warn;
-        findings.push_back(
-            {code, fails ? Severity::error : Severity::warning,
-             what + format(" is %.4g, %s %.4g; ", value, wanted == Wanted::high ? "below" : "above", limit) +
-                 told.remedy,
-             told.count, std::move(told.places)});
-    }
-
-    std::vector<Finding> findings;
-};
 
 std::string remedy_for(Limit limit) {
     switch (limit) {
@@ -72,11 +40,11 @@ std::string remedy_for(Limit limit) {
 }
 
 struct Case {
-    const Figures& figures;
+    const quality::Figures& figures;
     const TetMesh& mesh;
-    const GateParams& gates;
+    const Limits& limits;
     const PlaceTeller& teller;
-    const EmbeddingResult* embedding;
+    const quality::EmbeddingResult* embedding;
 };
 
 Judgement::Told worst_shapes(const Case& of, Badness badness) {
@@ -94,7 +62,7 @@ void judge_inverted(Judgement& judgement, const Case& of) {
 }
 
 void judge_share_below_10(Judgement& judgement, const Case& of) {
-    const Figures& f = of.figures;
+    const quality::Figures& f = of.figures;
     const double counted = static_cast<double>(f.shape.below_10_deg) - static_cast<double>(f.below_10_thin);
     const auto tell = [&]() -> Judgement::Told {
         const std::uint64_t needles = f.below_10_needle;
@@ -112,26 +80,26 @@ void judge_share_below_10(Judgement& judgement, const Case& of) {
                 static_cast<std::uint64_t>(counted)};
     };
     judgement.ask("GATE_BELOW_10_DEG", "the share of tets with an angle below 10 degrees", counted / f.shape.tets,
-                  of.gates.below_10_share, Wanted::low, tell);
+                  of.limits.below_10_share, Wanted::low, tell);
 }
 
 void judge_shapes(Judgement& judgement, const Case& of) {
-    const Summary& s = of.figures.shape;
+    const quality::Summary& s = of.figures.shape;
     const auto shape = [&](const char* code, const char* what, double value, const Gate& gate, Wanted wanted,
                            Badness badness) {
         judgement.ask(code, what, value, gate, wanted, [&] { return worst_shapes(of, badness); });
     };
-    shape("GATE_MIN_DIHEDRAL", "the smallest dihedral angle (degrees)", s.min_dihedral_deg, of.gates.min_dihedral_deg,
+    shape("GATE_MIN_DIHEDRAL", "the smallest dihedral angle (degrees)", s.min_dihedral_deg, of.limits.min_dihedral_deg,
           Wanted::high, Badness::flattest);
-    shape("GATE_MAX_DIHEDRAL", "the largest dihedral angle (degrees)", s.max_dihedral_deg, of.gates.max_dihedral_deg,
+    shape("GATE_MAX_DIHEDRAL", "the largest dihedral angle (degrees)", s.max_dihedral_deg, of.limits.max_dihedral_deg,
           Wanted::low, Badness::widest);
     judge_share_below_10(judgement, of);
     shape("GATE_P5_DIHEDRAL", "the 5th percentile of the tets' smallest angles (degrees)", s.p5_dihedral_deg,
-          of.gates.p5_dihedral_deg, Wanted::high, Badness::flattest);
+          of.limits.p5_dihedral_deg, Wanted::high, Badness::flattest);
     shape("GATE_FLAT_TET", "the least volume / (mean edge)^3, 1 for a regular tet,", s.volume_lrms3_min,
-          of.gates.volume_lrms3, Wanted::high, Badness::least_volume);
+          of.limits.volume_lrms3, Wanted::high, Badness::least_volume);
     shape("GATE_RADIUS_RATIO", "the least radius ratio, 1 for a regular tet,", s.radius_ratio_min,
-          of.gates.radius_ratio, Wanted::high, Badness::least_radius);
+          of.limits.radius_ratio, Wanted::high, Badness::least_radius);
 }
 
 void judge_cost(Judgement& judgement, const Case& of) {
@@ -145,37 +113,37 @@ void judge_cost(Judgement& judgement, const Case& of) {
     };
     if (of.figures.shape.inverted == 0) {
         judgement.ask("GATE_DT_RATIO", "the largest stable step over that of regular tets", of.figures.cost.dt_ratio,
-                      of.gates.dt_ratio, Wanted::high, stiff(Badness::least_step));
+                      of.limits.dt_ratio, Wanted::high, stiff(Badness::least_step));
     }
     judgement.ask("GATE_STIFFNESS_RATIO", "the stiffest element over the median one", of.figures.shape.stiffness_ratio,
-                  of.gates.stiffness_ratio, Wanted::low, stiff(Badness::stiffest));
+                  of.limits.stiffness_ratio, Wanted::low, stiff(Badness::stiffest));
 }
 
 void judge_fidelity(Judgement& judgement, const Case& of) {
-    const Fidelity& f = of.figures.fidelity;
+    const quality::Fidelity& f = of.figures.fidelity;
     if (!f.is_known) return;
     const auto out = [&] { return of.teller.at(f.farthest_out, "the tets' surface is farthest from the shell"); };
     const auto in = [&] { return of.teller.at(f.farthest_in, "the shell is farthest from the tets"); };
     judgement.ask("GATE_VOLUME",
                   f.volume_error < 0 ? "the share of the shell's volume that is lost"
                                      : "the share of the shell's volume that is gained",
-                  std::fabs(f.volume_error), of.gates.volume_error, Wanted::low, [&]() -> Judgement::Told {
+                  std::fabs(f.volume_error), of.limits.volume_error, Wanted::low, [&]() -> Judgement::Told {
                       return {
                           "faces of the shell are not faces of the tets: cut it finer where it is thin, and keep "
                           "recover and finish on",
                           {f.hausdorff_in > f.hausdorff_out ? in() : out()}};
                   });
     judgement.ask("GATE_LEAK", "the volume share where an open shell leaves open what is inside", f.leak_share,
-                  of.gates.leak_share, Wanted::low, [&]() -> Judgement::Told {
+                  of.limits.leak_share, Wanted::low, [&]() -> Judgement::Told {
                       return {"close its holes, or give a sheet a thickness", of.teller.holes()};
                   });
     if (!f.is_closed) return;
     judgement.ask("GATE_HAUSDORFF_OUT", "how far the tets' surface strays from the shell, in box diagonals,",
-                  f.hausdorff_out, of.gates.hausdorff, Wanted::low, [&]() -> Judgement::Told {
+                  f.hausdorff_out, of.limits.hausdorff, Wanted::low, [&]() -> Judgement::Told {
                       return {"the tets bridge a hollow of the shell there: cut its triangles finer", {out()}};
                   });
     judgement.ask("GATE_HAUSDORFF_IN", "how far the shell strays from the tets, in box diagonals,", f.hausdorff_in,
-                  of.gates.hausdorff, Wanted::low, [&]() -> Judgement::Told {
+                  of.limits.hausdorff, Wanted::low, [&]() -> Judgement::Told {
                       return {"the tets miss a part of the shell there: it is thin or its triangles are long", {in()}};
                   });
 }
@@ -210,10 +178,10 @@ std::vector<Place> piece_places(const Case& of) {
 }
 
 void judge_topology(Judgement& judgement, const Case& of) {
-    const Topology& t = of.figures.topology;
+    const quality::Topology& t = of.figures.topology;
     const auto count = std::max(t.non_manifold_edges, t.non_manifold_vertices);
     judgement.ask("GATE_NON_MANIFOLD", "the number of places where the surface touches itself",
-                  static_cast<double>(count), of.gates.non_manifold, Wanted::low, [&]() -> Judgement::Told {
+                  static_cast<double>(count), of.limits.non_manifold, Wanted::low, [&]() -> Judgement::Told {
                       return {
                           "forces pass there through an edge or a point alone: move the shell's sheets apart, or "
                           "join them over a whole face",
@@ -223,81 +191,56 @@ void judge_topology(Judgement& judgement, const Case& of) {
     const auto extra = t.pieces - t.shell_pieces;
     judgement.ask(
         "GATE_PIECES", "the number of pieces of tets more than the shell has", static_cast<double>(extra),
-        of.gates.extra_pieces, Wanted::low, [&]() -> Judgement::Told {
+        of.limits.extra_pieces, Wanted::low, [&]() -> Judgement::Told {
             return {"they would fall apart: the shell is too thin or too coarse between them", piece_places(of), extra};
         });
 }
 
 void judge_embedding(Judgement& judgement, const Case& of) {
-    const Embedding& e = of.figures.embedding;
+    const quality::Embedding& e = of.figures.embedding;
     if (e.vertices == 0) return;
-    const auto places_of = [&](const std::vector<HungVertex>& vertices) {
+    const auto places_of = [&](const std::vector<quality::HungVertex>& vertices) {
         std::vector<Place> places;
-        for (const HungVertex& vertex : vertices) places.push_back(of.teller.at_vertex(vertex));
+        for (const quality::HungVertex& vertex : vertices) places.push_back(of.teller.at_vertex(vertex));
         return places;
     };
     const auto weights = [&] { return of.embedding ? places_of(of.embedding->heaviest) : std::vector<Place>{}; };
     const auto wrong = [&] { return of.embedding ? places_of(of.embedding->wrong) : std::vector<Place>{}; };
     judgement.ask("GATE_OUTSIDE", "the share of visual vertices outside the tets",
-                  static_cast<double>(e.outside) / static_cast<double>(e.vertices), of.gates.outside_share, Wanted::low,
-                  [&]() -> Judgement::Told {
+                  static_cast<double>(e.outside) / static_cast<double>(e.vertices), of.limits.outside_share,
+                  Wanted::low, [&]() -> Judgement::Told {
                       return {"let the shell enclose the visual meshes there", weights(), e.outside};
                   });
     judgement.ask(
-        "GATE_MAX_WEIGHT", "the largest weight of a visual vertex", e.max_weight, of.gates.max_weight, Wanted::low,
+        "GATE_MAX_WEIGHT", "the largest weight of a visual vertex", e.max_weight, of.limits.max_weight, Wanted::low,
         [&]() -> Judgement::Told {
             return {"it exaggerates what its tet does: let the shell enclose it, or use coarser tets there", weights()};
         });
     judgement.ask(
         "GATE_BOUND_WRONGLY", "the number of visual vertices on a tet of another shell",
-        static_cast<double>(e.bound_wrongly), of.gates.bound_wrongly, Wanted::low, [&]() -> Judgement::Told {
+        static_cast<double>(e.bound_wrongly), of.limits.bound_wrongly, Wanted::low, [&]() -> Judgement::Told {
             return {"name the shell component that a visual mesh hangs on (import.owners)", wrong(), e.bound_wrongly};
         });
 }
 
 }
 
-std::vector<Finding> judge(const Figures& figures, const TetMesh& mesh, const Shell* shell, const GateParams& params,
-                           const PlaceNames& names, const EmbeddingResult* embedding) {
+std::vector<Finding> judge(const quality::Figures& figures, const TetMesh& mesh, const Shell* shell,
+                           const Limits& limits, const quality::PlaceNames& names,
+                           const quality::EmbeddingResult* embedding) {
     Judgement judgement;
     if (figures.shape.tets == 0) return {};
     const std::vector<Triangle> faces = shell ? std::vector<Triangle>{} : boundary_of(mesh).faces;
-    const Surface surface = shell ? Surface{shell->positions, shell->triangles} : Surface{mesh.positions, faces};
+    const quality::Surface surface =
+        shell ? quality::Surface{shell->positions, shell->triangles} : quality::Surface{mesh.positions, faces};
     const PlaceTeller teller(mesh, surface, names);
-    const Case of{figures, mesh, params, teller, embedding};
+    const Case of{figures, mesh, limits, teller, embedding};
     judge_inverted(judgement, of);
     judge_shapes(judgement, of);
     judge_cost(judgement, of);
     judge_fidelity(judgement, of);
     judge_topology(judgement, of);
     judge_embedding(judgement, of);
-    return std::move(judgement.findings);
-}
-
-Baseline baseline_of(const Figures& figures) {
-    return {figures.shape.tets, figures.shape.volume, figures.cost.pcg_soft, figures.cost.pcg_stiff};
-}
-
-std::vector<Finding> judge_against(const Baseline& baseline, const Figures& figures, const GateParams& params) {
-    Judgement judgement;
-    const auto growth = [&](const char* code, const char* what, double now, double before, const Gate& gate) {
-        if (!(before > 0)) return;
-        judgement.ask(code, format("%s, now %.4g, over the baseline's %.4g,", what, now, before), now / before, gate,
-                      Wanted::low, []() -> Judgement::Told {
-                          return {"if that is wanted, run crumple check --update-baseline", {}};
-                      });
-    };
-    growth("GATE_PCG_SOFT", "iterations of the soft standard step", figures.cost.pcg_soft, baseline.pcg_soft,
-           params.pcg_growth);
-    growth("GATE_PCG_STIFF", "iterations of the stiff standard step", figures.cost.pcg_stiff, baseline.pcg_stiff,
-           params.pcg_growth);
-    growth("GATE_TETS", "tets", figures.shape.tets, static_cast<double>(baseline.tets), params.tets_growth);
-    if (!(baseline.volume > 0)) return std::move(judgement.findings);
-    const double change = std::fabs(figures.shape.volume - baseline.volume) / baseline.volume;
-    judgement.ask("GATE_VOLUME_CHANGED", "the change of the volume since the baseline", change, params.volume_change,
-                  Wanted::low, []() -> Judgement::Told {
-                      return {"if that is wanted, run crumple check --update-baseline", {}};
-                  });
     return std::move(judgement.findings);
 }
 

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quality/gates.h"
+#include "gates/judge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "gates/baseline.h"
 #include "mesh/neighbours.h"
 #include "mesh/shapes.h"
 #include "quality/uneven_grid.h"
 
 using namespace crumple;
-using namespace crumple::quality;
+using namespace crumple::gates;
+using quality::EmbeddingResult;
+using quality::Figures;
+using quality::HungVertex;
+using quality::measure;
+using quality::PlaceNames;
 
 namespace {
 
-std::vector<Finding> judged(const TetMesh& mesh, const GateParams& params = {}, const PlaceNames& names = {}) {
+std::vector<Finding> judged(const TetMesh& mesh, const Limits& params = {}, const PlaceNames& names = {}) {
     return judge(measure(mesh, nullptr), mesh, nullptr, params, names);
 }
 
@@ -42,7 +48,7 @@ TEST(Gates, AGoodMeshPassesAllOfThem) {
 TEST(Gates, AnInvertedTetFailsWhateverTheLimits) {
     TetMesh mesh = shapes::tet_grid(2);
     std::swap(mesh.tets[3][0], mesh.tets[3][1]);
-    GateParams lax;
+    Limits lax;
     lax.min_dihedral_deg = lax.dt_ratio = lax.volume_lrms3 = lax.radius_ratio = lax.p5_dihedral_deg = {0, 0};
     lax.max_dihedral_deg = lax.stiffness_ratio = lax.below_10_share = lax.non_manifold = {never, never};
     const std::vector<Finding> findings = judged(mesh, lax);
@@ -56,7 +62,7 @@ TEST(Gates, EachLimitFailsBeyondItsFigureAndWarnsBeyondTheOther) {
     const TetMesh mesh = squashed(0.2);
     const Figures figures = measure(mesh, nullptr);
     const auto severity = [&](double fail, double warn) {
-        GateParams params;
+        Limits params;
         params.min_dihedral_deg = {fail, warn};
         const std::vector<Finding> findings = judge(figures, mesh, nullptr, params);
         const Finding* finding = find(findings, "GATE_MIN_DIHEDRAL");
@@ -204,7 +210,7 @@ TEST(Gates, ALeakIsToldByTheShellsHolesTheWidestFirst) {
 
 TEST(Gates, DoNotDependOnTheOrderOfTets) {
     TetMesh mesh = uneven_grid(4, 0.2);
-    GateParams strict;
+    Limits strict;
     strict.min_dihedral_deg = {90, 90};
     const std::vector<Finding> findings = judged(mesh, strict);
     std::reverse(mesh.tets.begin(), mesh.tets.end());

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include "gates/shape_problems.h"
+
 #include <cstdio>
 #include <string>
 
-#include "quality/gates.h"
+#include "gates/limits.h"
 #include "quality/quality.h"
 
-namespace crumple::quality {
+namespace crumple::gates {
 
 namespace {
 
@@ -37,8 +38,8 @@ std::string message_of(const Bound& bound) {
     return text;
 }
 
-std::vector<Bound> bounds_of(const Summary& s) {
-    const GateParams gates;
+std::vector<Bound> bounds_of(const quality::Summary& s) {
+    const Limits gates;
     const double percent = 100;
     const Gate below_10_percent{percent * gates.below_10_share.fail, percent * gates.below_10_share.warn};
     return {
@@ -63,10 +64,11 @@ std::vector<Bound> bounds_of(const Summary& s) {
 }
 
 std::vector<Place> inverted_places(const TetMesh& mesh) {
-    std::vector<Place> places = worst_tets(mesh.positions, mesh.tets);
+    std::vector<Place> places = quality::worst_tets(mesh.positions, mesh.tets);
     std::erase_if(places, [&](const Place& place) {
         const auto& [a, b, c, d] = mesh.tets[place.element];
-        return measure_tet(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[d]).volume > 0;
+        return quality::measure_tet(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[d]).volume >
+               0;
     });
     return places;
 }
@@ -74,7 +76,7 @@ std::vector<Place> inverted_places(const TetMesh& mesh) {
 }
 
 // Held against the gates' own defaults, but nothing is refused here: a gate belongs to whoever asks for one.
-std::vector<Finding> find_problems(const TetMesh& mesh, const Summary& summary) {
+std::vector<Finding> find_problems(const TetMesh& mesh, const quality::Summary& summary) {
     std::vector<Finding> findings;
     if (summary.tets == 0) return findings;
     if (summary.inverted > 0) {
@@ -83,7 +85,7 @@ std::vector<Finding> find_problems(const TetMesh& mesh, const Summary& summary) 
     }
     for (const Bound& bound : bounds_of(summary)) {
         if (!is_beyond(bound.value, bound.limits.warn, bound.wanted)) continue;
-        const auto find_worst = bound.kind == Kind::stiffness ? stiffest_tets : worst_tets;
+        const auto find_worst = bound.kind == Kind::stiffness ? quality::stiffest_tets : quality::worst_tets;
         findings.push_back(
             {bound.code, Severity::warning, message_of(bound), 1, find_worst(mesh.positions, mesh.tets, max_places)});
     }

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mesh must be to be used: every figure against a limit at which it fails and one at which it is warned of.
+// What a mesh must be to be used: for every figure a limit at which it fails and one at which it is warned of.
 #pragma once
-#include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/fields.h"
-#include "core/finding.h"
-#include "quality/figures.h"
 
-namespace crumple::quality {
+namespace crumple::gates {
 
 inline constexpr double never = 1e9;  // a limit that no figure goes beyond
 
@@ -33,7 +26,7 @@ enum class Wanted { high, low };
 }
 
 // Lower limits for angles, ratios and steps, upper ones for the rest.
-struct GateParams {
+struct Limits {
     Gate min_dihedral_deg{1, 5};
     Gate max_dihedral_deg{179, 170};
     Gate below_10_share{0.05, 0.005};
@@ -55,7 +48,7 @@ struct GateParams {
     Gate volume_change{0.05, 0.01};
 };
 
-template <class Visitor, FieldsOf<GateParams> P>
+template <class Visitor, FieldsOf<Limits> P>
 void describe(Visitor& visit, P& p) {
     visit.field("min_dihedral_deg", p.min_dihedral_deg, "least smallest dihedral angle");
     visit.field("max_dihedral_deg", p.max_dihedral_deg, "largest dihedral angle");
@@ -78,45 +71,5 @@ void describe(Visitor& visit, P& p) {
     visit.field("tets_growth", p.tets_growth, "most tets, times those of the baseline");
     visit.field("volume_change", p.volume_change, "largest change of the volume since the baseline, share of it");
 }
-
-// What an asset was at when it was last found good.
-struct Baseline {
-    std::uint64_t tets = 0;
-    double volume = 0;
-    std::uint32_t pcg_soft = 0;
-    std::uint32_t pcg_stiff = 0;
-};
-
-template <class Visitor, FieldsOf<Baseline> B>
-void describe(Visitor& visit, B& b) {
-    visit.field("tets", b.tets, "tets");
-    visit.field("volume", b.volume, "of the tets, cubic metres");
-    visit.field("pcg_soft", b.pcg_soft, "iterations of the soft standard step");
-    visit.field("pcg_stiff", b.pcg_stiff, "iterations of the stiff standard step");
-}
-
-[[nodiscard]] Baseline baseline_of(const Figures& figures);
-
-// How places are told to the artist; what is empty is left out.
-struct PlaceNames {
-    std::span<const std::string> components;      // by TetMesh::region
-    std::span<const std::string> materials;       // by tet_material
-    std::span<const std::uint16_t> tet_material;  // T
-    std::span<const Vec3> painted;                // places of the painted vertices
-};
-
-// One finding a gate that is not met, in the order of GateParams: Severity::error where it fails, else warning. Codes
-// GATE_*. Places are the worst first, each with its figure, component, material and nearest painted vertex in the name.
-// Tets of no volume fail whatever the parameters (GATE_INVERTED). Nothing to say about a mesh without tets.
-// `shell` and `embedding` may be null: then the surface of the tets stands for the shell, and vertices have no places.
-// REQUIRES: figures of this mesh; mesh.neighbours is filled.
-[[nodiscard]] std::vector<Finding> judge(const Figures& figures, const TetMesh& mesh, const Shell* shell,
-                                         const GateParams& params = {}, const PlaceNames& names = {},
-                                         const EmbeddingResult* embedding = nullptr);
-
-// GATE_PCG_SOFT, GATE_PCG_STIFF, GATE_TETS, GATE_VOLUME_CHANGED: of the whole mesh, so without places. An
-// empty baseline compares nothing.
-[[nodiscard]] std::vector<Finding> judge_against(const Baseline& baseline, const Figures& figures,
-                                                 const GateParams& params = {});
 
 }
