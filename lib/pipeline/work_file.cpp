@@ -10,6 +10,7 @@
 #include "pipeline/work_parts.h"
 #include "sandbox/sandbox.h"
 #include "store/bundle_file.h"
+#include "store/grid_view.h"
 #include "store/read_file.h"
 
 namespace crumple::pipeline {
@@ -18,24 +19,7 @@ namespace {
 
 // The view that ParaView opens, for a file that has tets and no bundle yet: a bundle writes its own.
 void write_view(store::FileWriter& file, const TetMesh& mesh) {
-    std::vector<std::int64_t> connectivity;
-    connectivity.reserve(4 * mesh.tets.size());
-    std::vector<std::int64_t> offsets{0};
-    for (const Tet& tet : mesh.tets) {
-        connectivity.insert(connectivity.end(), tet.begin(), tet.end());
-        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    }
-    constexpr std::uint8_t vtk_tetra = 10;
-    file.make_group("/VTKHDF");
-    file.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
-    file.set_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-    file.write_value("/VTKHDF/NumberOfPoints", static_cast<std::int64_t>(mesh.positions.size()));
-    file.write_value("/VTKHDF/NumberOfCells", static_cast<std::int64_t>(mesh.tets.size()));
-    file.write_value("/VTKHDF/NumberOfConnectivityIds", static_cast<std::int64_t>(connectivity.size()));
-    file.link("/VTKHDF/Points", "/tets/positions");
-    file.write("/VTKHDF/Connectivity", connectivity);
-    file.write("/VTKHDF/Offsets", offsets);
-    file.write("/VTKHDF/Types", std::vector<std::uint8_t>(mesh.tets.size(), vtk_tetra));
+    store::write_grid(file, store::grid_cells(mesh.tets), "/tets/positions", mesh.positions.size());
     file.make_group("/VTKHDF/PointData");
     file.make_group("/VTKHDF/CellData");
     if (!mesh.region.empty()) file.link("/VTKHDF/CellData/region", "/tets/region");
@@ -95,6 +79,7 @@ Workspace read_work_file(const std::string& path) {
         },
         {});
     if (outcome.ending == sandbox::Ending::ok) return read_work_image(std::move(image), path);
+    if (outcome.ending == sandbox::Ending::starved) throw Error(ErrorKind::budget, path + ": " + outcome.message);
     if (outcome.ending == sandbox::Ending::refused) throw Error(outcome.kind, outcome.message);
     throw Error(ErrorKind::bad_input, path + ": damaged: " + outcome.message);
 }

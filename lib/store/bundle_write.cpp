@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <map>
-#include <numeric>
 
 #include "store/bundle_fields.h"
 #include "store/bundle_file.h"
+#include "store/grid_view.h"
 
 namespace crumple::store {
 namespace {
@@ -64,23 +64,9 @@ std::vector<std::string> names_of(const std::vector<Named>& items) {
     return names;
 }
 
-// VTKHDF 1.0, tested with VTK 9.1: points and data by links, connectivity as lists of their own.
-void write_vtk_view(FileWriter& file, const Bundle& b) {
-    const auto count = [](std::size_t n) { return std::array{static_cast<std::int64_t>(n)}; };
-    std::vector<std::int64_t> connectivity;
-    for (const Tet& tet : b.tets) connectivity.insert(connectivity.end(), tet.begin(), tet.end());
-    std::vector<std::int64_t> offsets(b.tets.size() + 1);
-    for (std::size_t t = 0; t < offsets.size(); ++t) offsets[t] = static_cast<std::int64_t>(4 * t);
-    file.set_attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-    file.set_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
-    file.write("/VTKHDF/NumberOfPoints", count(b.rest_positions.size()));
-    file.write("/VTKHDF/NumberOfCells", count(b.tets.size()));
-    file.write("/VTKHDF/NumberOfConnectivityIds", count(connectivity.size()));
-    file.link("/VTKHDF/Points", root + "rest_positions");
-    file.write("/VTKHDF/Connectivity", connectivity);
-    file.write("/VTKHDF/Offsets", offsets);
-    constexpr std::uint8_t vtk_tetra = 10;
-    file.write("/VTKHDF/Types", std::vector<std::uint8_t>(b.tets.size(), vtk_tetra));
+// Points and data by links, connectivity as lists of its own.
+void write_view(FileWriter& file, const Bundle& b) {
+    write_grid(file, grid_cells(b.tets), root + "rest_positions", b.rest_positions.size());
     for (const std::string name : {"locked", "mass"}) file.link("/VTKHDF/PointData/" + name, root + name);
     for (const std::string name : {"material", "region", "stiffness_scale", "volume"}) {
         file.link("/VTKHDF/CellData/" + name, root + name);
@@ -104,7 +90,7 @@ void write_bundle(FileWriter& file, const Bundle& bundle) {
     visit_provenance(archive, bundle.provenance);
     write_entries(file, "provenance/stage_versions", bundle.provenance.stage_versions);
     write_entries(file, "provenance/input_digests", bundle.provenance.input_digests);
-    write_vtk_view(file, bundle);
+    write_view(file, bundle);
 }
 
 std::vector<std::byte> to_image(const Bundle& bundle, Layout layout) {

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "store/grid_view.h"
+
 namespace crumple::store {
 namespace {
 
@@ -40,8 +42,9 @@ private:
 
 void compare_kind(const FileReader& file, Comparison& comparison) {
     const std::string group = "/VTKHDF";
-    if (file.read_numbers(group, "Version") != std::vector<std::int64_t>{1, 0}) comparison.add(group + "@Version");
-    constexpr std::string_view type = "UnstructuredGrid";
+    const std::vector<std::int64_t> version(grid_version.begin(), grid_version.end());
+    if (file.read_numbers(group, "Version") != version) comparison.add(group + "@Version");
+    constexpr std::string_view type = grid_type;
     const Dataset attribute = file.read_attribute(group, "Type");
     const bool agrees =
         attribute.bytes.size() == type.size() && std::memcmp(attribute.bytes.data(), type.data(), type.size()) == 0;
@@ -49,20 +52,14 @@ void compare_kind(const FileReader& file, Comparison& comparison) {
 }
 
 void compare_cells(const Bundle& bundle, Comparison& comparison) {
-    std::vector<std::int64_t> connectivity;
-    std::vector<std::int64_t> offsets{0};
-    for (const Tet& tet : bundle.tets) {
-        connectivity.insert(connectivity.end(), tet.begin(), tet.end());
-        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    }
-    constexpr std::uint8_t vtk_tetra = 10;
+    const GridCells cells = grid_cells(bundle.tets);
     comparison.expect_count("NumberOfPoints", bundle.rest_positions.size());
     comparison.expect_count("NumberOfCells", bundle.tets.size());
-    comparison.expect_count("NumberOfConnectivityIds", connectivity.size());
+    comparison.expect_count("NumberOfConnectivityIds", cells.connectivity.size());
     comparison.expect("Points", bundle.rest_positions);
-    comparison.expect("Connectivity", connectivity);
-    comparison.expect("Offsets", offsets);
-    comparison.expect("Types", std::vector<std::uint8_t>(bundle.tets.size(), vtk_tetra));
+    comparison.expect("Connectivity", cells.connectivity);
+    comparison.expect("Offsets", cells.offsets);
+    comparison.expect("Types", cells.types);
 }
 
 // Fields that the bundle has under the same name, and those it has not.

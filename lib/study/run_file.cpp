@@ -5,6 +5,7 @@
 
 #include "report/json_writer.h"
 #include "store/bundle_file.h"
+#include "store/grid_view.h"
 #include "store/hdf5_file.h"
 
 namespace crumple::study {
@@ -12,32 +13,8 @@ namespace {
 
 using store::FileWriter;
 
-constexpr std::uint8_t vtk_vertex = 1;
-constexpr std::uint8_t vtk_triangle = 5;
-constexpr std::uint8_t vtk_tetra = 10;
-
-// VTKHDF 1.0 as VTK 9.1 reads it, all cells of one kind.
-template <std::size_t corners>
-void write_grid(FileWriter& file, const std::vector<Vec3f>& points,
-                const std::vector<std::array<Index, corners>>& cells, std::uint8_t type) {
-    const auto count = [](std::size_t n) { return std::array{static_cast<std::int64_t>(n)}; };
-    std::vector<std::int64_t> connectivity;
-    for (const auto& cell : cells) connectivity.insert(connectivity.end(), cell.begin(), cell.end());
-    std::vector<std::int64_t> offsets(cells.size() + 1);
-    for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(corners * i);
-    file.set_attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-    file.set_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
-    file.write("/VTKHDF/NumberOfPoints", count(points.size()));
-    file.write("/VTKHDF/NumberOfCells", count(cells.size()));
-    file.write("/VTKHDF/NumberOfConnectivityIds", count(connectivity.size()));
-    file.write("/VTKHDF/Points", points);
-    file.write("/VTKHDF/Connectivity", connectivity);
-    file.write("/VTKHDF/Offsets", offsets);
-    file.write("/VTKHDF/Types", std::vector<std::uint8_t>(cells.size(), type));
-}
-
 void write_control(FileWriter& file, const Bundle& bundle, const Frame& frame) {
-    write_grid(file, frame.nodes, bundle.tets, vtk_tetra);
+    store::write_grid(file, store::grid_cells(bundle.tets), frame.nodes);
     file.write("/VTKHDF/PointData/locked", bundle.locked);
     file.write("/VTKHDF/CellData/plastic_strain", frame.plastic_strain);
     file.write("/VTKHDF/CellData/region", bundle.region);
@@ -109,12 +86,12 @@ std::vector<std::byte> control_image(const Bundle& bundle, const Frame& frame) {
 std::vector<std::byte> visual_image(const Frame& frame, std::size_t visual, const std::vector<Triangle>& triangles) {
     FileWriter file;
     if (!triangles.empty()) {
-        write_grid(file, frame.vertices[visual], triangles, vtk_triangle);
+        store::write_grid(file, store::grid_cells(triangles), frame.vertices[visual]);
         return file.finish();
     }
     std::vector<std::array<Index, 1>> points(frame.vertices[visual].size());
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = {static_cast<Index>(i)};
-    write_grid(file, frame.vertices[visual], points, vtk_vertex);
+    store::write_grid(file, store::grid_cells(points), frame.vertices[visual]);
     return file.finish();
 }
 
