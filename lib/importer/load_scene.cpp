@@ -30,6 +30,8 @@ void check_given(const std::string& path) {
         case Ending::out_of_memory:
             refuse(path,
                    outcome.message + "; the file may be damaged or too large (import.memory_mb raises the limit)");
+        case Ending::starved:
+            throw Error(ErrorKind::budget, path + ": " + outcome.message);
         case Ending::crashed:
             refuse(path, "the reader crashed on it (" + outcome.message +
                              "): the file is damaged or uses what the reader "

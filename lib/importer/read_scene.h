@@ -19,7 +19,8 @@ namespace crumple::importer {
 void look_at_bytes(const std::string& path, const formats::Format& format, formats::Purpose purpose);
 
 // read_scene and look_at_bytes in a child process with the limits of params; whatever goes wrong there becomes an Error
-// that begins with the path: file for a path that cannot be opened, bad_input for everything else.
+// that begins with the path: file for a path that cannot be opened, budget where the system leaves too little memory
+// (ulimit -v), bad_input for everything else.
 [[nodiscard]] Scene load_scene(const std::string& path, formats::Purpose purpose, const Params& params);
 void look_at_file(const std::string& path, formats::Purpose purpose, const Params& params);
 

@@ -25,6 +25,7 @@ std::string run_text_in_child(const std::function<std::string()>& work, const st
         throw Error(ErrorKind::difference,
                     name + ": " + outcome.message + ": it is damaged, or the machine too slow or too busy for it");
     }
+    if (outcome.ending == Ending::starved) throw Error(ErrorKind::budget, name + ": " + outcome.message);
     if (outcome.ending != Ending::refused) throw Error(ErrorKind::difference, name + ": damaged: " + outcome.message);
     if (outcome.kind == ErrorKind::usage) throw Error(ErrorKind::bad_input, name + ": " + outcome.message);
     throw Error(outcome.kind == ErrorKind::file ? ErrorKind::file : ErrorKind::difference, outcome.message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads files of unknown origin in a limited child process and brings the answer back as a described struct. Whatever
-// goes wrong in there is damage to the file.
+// Reads files of unknown origin in a limited child process and brings the answer back as a described struct. Nearly all
+// that goes wrong in there is damage to the file.
 #pragma once
 #include <functional>
 #include <string>
@@ -13,8 +13,8 @@
 namespace crumple::pipeline {
 
 // Throws Error(difference) "<name>: ..." when the work refuses the file, crashes or meets a limit. An Error of kind file
-// stays one; that of kind usage, a whole file in which what is asked for is not there yet, becomes bad_input. `time_s`
-// by the wall.
+// stays one; that of kind usage, a whole file in which what is asked for is not there yet, becomes bad_input; where the
+// system leaves too little memory (ulimit -v) it is one of kind budget. `time_s` by the wall.
 [[nodiscard]] std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name,
                                             double time_s = 120);
 
