@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "reference/calculix_figures.h"
+#include "reference/displacement.h"
 #include "reference/reference.h"
 #include "solver/body.h"
 #include "solver/effort.h"
@@ -47,17 +48,9 @@ Beam beam(double k, float size = 1, bool is_shuffled = false, double poisson = 0
 }
 
 // Mean displacement of the loaded tip.
-template <class Position>
-Vec3 tip_of(const Beam& b, Position&& position) {
-    Vec3 sum;
-    double count = 0;
-    for (std::size_t i = 0; i < b.forces.size(); ++i) {
-        if (b.forces[i].y == 0) continue;
-        const Vec3f rest = b.bundle.rest_positions[i];
-        sum += position(i) - Vec3{rest.x, rest.y, rest.z};
-        ++count;
-    }
-    return sum / count;
+template <class AnyBody>
+Vec3 tip_of(const Beam& b, const AnyBody& body) {
+    return test::mean_displacement(body, [&](std::size_t i) { return b.forces[i].y != 0; });
 }
 
 Vec3 runtime_tip(const Beam& b, float size, int steps) {
@@ -69,16 +62,13 @@ Vec3 runtime_tip(const Beam& b, float size, int steps) {
     input.dt = 0.05f * size;
     input.forces = forces;
     for (int i = 0; i < steps; ++i) body.step(input);
-    return tip_of(b, [&](std::size_t i) {
-        const Vec3f x = body.x(i);
-        return Vec3{x.x, x.y, x.z};
-    });
+    return tip_of(b, body);
 }
 
 Vec3 true_tip(const Beam& b, bool is_linear = false) {
     reference::Body body = reference::body_at_rest(b.bundle);
     EXPECT_TRUE(reference::settle(body, b.forces, 1e-9, is_linear));
-    return tip_of(b, [&](std::size_t i) { return body.positions[i]; });
+    return tip_of(b, body);
 }
 
 }
@@ -144,7 +134,7 @@ TEST(A5CantileverLarge, TheReferenceRestsWhereCalculixDoes) {
         const Beam b = beam(tip.k);
         reference::Body body = reference::body_at_rest(b.bundle);
         ASSERT_TRUE(reference::settle_by_green(body, b.forces)) << tip.k;
-        const Vec3 green = tip_of(b, [&](std::size_t i) { return body.positions[i]; });
+        const Vec3 green = tip_of(b, body);
         EXPECT_NEAR(green.y, tip.down, 1e-4 * std::fabs(tip.down)) << tip.k;
         EXPECT_NEAR(green.x, tip.along, 1e-4 * std::fabs(tip.along)) << tip.k;
         const Vec3 corotated = true_tip(b);

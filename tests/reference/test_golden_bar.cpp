@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/calculix_figures.h"
+#include "reference/displacement.h"
 #include "reference/golden_bar.h"
 #include "reference/reference.h"
 #include "solver/body.h"
@@ -33,22 +34,12 @@ std::vector<Vec3> load(const Bundle& bar, double k) {
 }
 
 // Mean displacement of the free end.
-template <class Position>
-Vec3 tip_of(const Bundle& bar, Position&& position) {
-    Vec3 sum;
-    double count = 0;
-    for (std::size_t i = 0; i < bar.rest_positions.size(); ++i) {
-        const Vec3f rest = bar.rest_positions[i];
-        if (!is_tip(rest)) continue;
-        sum += position(i) - Vec3{rest.x, rest.y, rest.z};
-        ++count;
-    }
-    return sum / count;
+template <class AnyBody>
+Vec3 tip_of(const AnyBody& body, const Bundle& bar) {
+    return test::mean_displacement(body, [&](std::size_t i) { return is_tip(bar.rest_positions[i]); });
 }
 
-Vec3 tip_of(const reference::Body& body) {
-    return tip_of(*body.bundle, [&](std::size_t i) { return body.positions[i]; });
-}
+Vec3 tip_of(const reference::Body& body) { return tip_of(body, *body.bundle); }
 
 Vec3 runtime_tip(solver::test::Body& body, double k) {
     std::vector<Vec3f> forces;
@@ -57,10 +48,7 @@ Vec3 runtime_tip(solver::test::Body& body, double k) {
     input.dt = 0.2f;
     input.forces = forces;
     for (int i = 0; i < 250; ++i) body.step(input);
-    return tip_of(body.bundle, [&](std::size_t i) {
-        const Vec3f x = body.x(i);
-        return Vec3{x.x, x.y, x.z};
-    });
+    return tip_of(body, body.bundle);
 }
 
 void expect_near(Vec3 tip, const calculix::Tip& truth, double down, double along) {
