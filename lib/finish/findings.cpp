@@ -105,25 +105,28 @@ void report_bad_tets(const Shell& shell, const TetMesh& mesh, Report& report, co
         if (limit == Limit::none) report.failed = finding.count;
         if (limit == Limit::thin) report.forced_thin = finding.count;
         if (limit == Limit::needle) report.forced_needle = finding.count;
+        if (limit == Limit::gap) report.forced_gap = finding.count;
         if (finding.count > 0) report.findings.push_back(std::move(finding));
     }
 }
 
 void report_repair(const TetMesh& mesh, Report& report) {
-    if (report.repair.removed + report.repair.added + report.repair.split > 0) {
+    const Repair& repair = report.repair;
+    if (repair.removed + repair.added + repair.split + repair.bent + repair.cut > 0) {
         report.findings.push_back(
             {"FINISH_REPAIRED",
              Severity::info,
-             "nodes where the surface of the tets touched itself: " + std::to_string(report.repair.removed) +
-                 " tets taken away and " + std::to_string(report.repair.added) + " added",
-             report.repair.nodes_before - report.repair.nodes_left,
+             "nodes where the surface of the tets touched itself: " + std::to_string(repair.removed) +
+                 " tets taken away, " + std::to_string(repair.added) + " added, " + std::to_string(repair.split) +
+                 " nodes copied, " + std::to_string(repair.bent + repair.cut) + " places parted by new nodes",
+             repair.nodes_before,
              {}});
     }
     if (report.repair.nodes_left == 0) return;
     Finding finding{"FINISH_NON_MANIFOLD",
                     Severity::warning,
-                    "nodes where the surface of the tets still touches itself: parting it would lose a vertex of the "
-                    "shell; use finer triangles there or leave a gap",
+                    "nodes where the surface of the tets still touches itself, among tets too flat to be cut smaller: "
+                    "leave a gap there or unite what touches",
                     0,
                     {}};
     for (const Index v : non_manifold(boundary_of(mesh).faces).vertices) {

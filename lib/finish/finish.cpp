@@ -32,7 +32,8 @@ void repair(TetMesh& mesh, const Shell& shell, Report& report, const Context& co
     Repaired repaired = repair_surface(std::move(mesh), shell.locked, context);
     mesh = std::move(repaired.mesh);
     report.repair = {repaired.report.edges_before, repaired.report.nodes_before, repaired.report.nodes_left,
-                     repaired.report.removed,      repaired.report.added,        repaired.report.split};
+                     repaired.report.removed,      repaired.report.added,        repaired.report.split,
+                     repaired.report.bent,         repaired.report.cut};
 }
 
 double largest_slide(const Shell& shell, const TetMesh& mesh) {

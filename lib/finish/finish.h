@@ -15,7 +15,7 @@
 
 namespace crumple::finish {
 
-inline constexpr int version = 5;
+inline constexpr int version = 6;
 
 enum class Mode { none, peel, full };
 inline constexpr EnumName<Mode> mode_names[] = {{Mode::none, "none"}, {Mode::peel, "peel"}, {Mode::full, "full"}};
@@ -102,6 +102,8 @@ struct Repair {
     std::uint64_t removed = 0;
     std::uint64_t added = 0;
     std::uint64_t split = 0;
+    std::uint64_t bent = 0;
+    std::uint64_t cut = 0;
 };
 
 template <class Visitor, FieldsOf<Repair> P>
@@ -112,6 +114,8 @@ void describe(Visitor& visit, P& p) {
     visit.field("removed", p.removed, "tets taken away to part it");
     visit.field("added", p.added, "tets added to join it");
     visit.field("split", p.split, "nodes copied, so that parts no longer touch there");
+    visit.field("bent", p.bent, "edges that parts were bent off, each by a new node");
+    visit.field("cut", p.cut, "nodes whose tets were cut down to one tip, by new nodes below");
 }
 
 struct Report {
@@ -130,6 +134,7 @@ struct Report {
     bool is_out_of_budget = false;
     std::uint64_t forced_thin = 0;
     std::uint64_t forced_needle = 0;
+    std::uint64_t forced_gap = 0;
     std::uint64_t failed = 0;
     // FINISH_BAD_TETS, FINISH_FORCED_THIN, FINISH_FORCED_NEEDLE, FINISH_FORCED_GAP, FINISH_REPAIRED,
     // FINISH_NON_MANIFOLD, FINISH_BUDGET
@@ -153,6 +158,8 @@ void describe(Visitor& visit, P& p) {
     visit.field("is_out_of_budget", p.is_out_of_budget, "stopped because that was all");
     visit.field("forced_thin", p.forced_thin, "tets left below 10 degrees because the shell is thin there");
     visit.field("forced_needle", p.forced_needle, "tets left below 10 degrees because the shell has a needle there");
+    visit.field("forced_gap", p.forced_gap,
+                "tets left below 10 degrees because two surfaces of the shell nearly meet there");
     visit.field("failed", p.failed, "tets left below 10 degrees that the shell does not force");
     visit.field("findings", p.findings, "what a person should know");
 }

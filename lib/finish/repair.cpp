@@ -2,229 +2,22 @@
 #include "finish/repair.h"
 
 #include <algorithm>
-#include <iterator>
-#include <queue>
 #include <set>
+#include <vector>
 
-#include "finish/open_space.h"
-#include "finish/shape.h"
-#include "finish/tet_selection.h"
-#include "geometry/measures.h"
+#include "finish/give_way.h"
+#include "finish/surface_changes.h"
 #include "mesh/boundary.h"
 
 namespace crumple::finish {
 
 namespace {
 
-// Funnels of more corners are wide: they mean something.
-constexpr std::size_t largest_funnel = 6;
-
-// A tet worse than this would be a new trouble: the sine of 6 degrees.
-constexpr double least_added_shape = 0.1;
-
 // Changes that mend one node and spoil another, at most: each asks all bad nodes.
 constexpr int max_sideways = 50;
 
 // Changes weighed at most: a mesh that is bad all over is not made good by taking it apart.
 constexpr int max_weighed = 50000;
-
-// What could be done about one node.
-class Changes {
-public:
-    Changes(const TetSelection& tets, const OpenSpace& space, Index node, bool may_split)
-        : tets_(tets), space_(space), node_(node), link_(tets.link_of(node)) {
-        remove_parts(none);
-        if (may_split) split_parts();
-        for (const Index end : bad_ends()) {
-            remove_parts(end);
-            add_between(end);
-        }
-        for (const Index t : tets_.tets_at(node_)) {
-            if (!exposed_ends(t).empty()) remove({t});
-        }
-        open_path();
-        close_funnels();
-    }
-
-    [[nodiscard]] std::vector<SurfaceChange>& all() { return all_; }
-
-private:
-    void remove(std::vector<Index> gone) {
-        SurfaceChange change;
-        for (const Index t : gone) change.cost += tets_.volume(t);
-        change.gone = std::move(gone);
-        all_.push_back(std::move(change));
-    }
-
-    void remove_parts(Index along) {
-        for (std::vector<Index>& part : tets_.parts_at(node_, along)) remove(std::move(part));
-    }
-
-    // Parts that share the node but no face each get their own, the largest keeps it. That moves no surface, yet it
-    // opens a joint: it counts like the loss of a tet.
-    void split_parts() {
-        std::vector<std::vector<Index>> parts = tets_.parts_at(node_, none);
-        if (parts.size() < 2) return;
-        double volume = 0;
-        double largest = 0;
-        std::size_t count = 0;
-        for (auto& part : parts) {
-            double of_part = 0;
-            for (const Index t : part) of_part += tets_.volume(t);
-            volume += of_part;
-            count += part.size();
-            if (of_part <= largest) continue;
-            largest = of_part;
-            std::swap(parts.front(), part);
-        }
-        for (std::size_t i = 1; i < parts.size(); ++i) {
-            SurfaceChange change;
-            change.split_node = node_;
-            change.split_tets = std::move(parts[i]);
-            change.cost = volume / static_cast<double>(count);
-            all_.push_back(std::move(change));
-        }
-    }
-
-    // Nodes along whose edge more than two faces of the surface meet.
-    [[nodiscard]] std::vector<Index> bad_ends() const {
-        std::vector<Index> ends;
-        for (std::size_t i = 1; i < link_.size(); ++i) {
-            if (link_[i][0] == link_[i - 1][0] && (ends.empty() || ends.back() != link_[i][0]))
-                ends.push_back(link_[i][0]);
-        }
-        return ends;
-    }
-
-    // A tet in the gap between two faces that meet along (node, end): both look into it.
-    void add_between(Index end) {
-        for (const Edge& going : link_) {
-            for (const Edge& coming : link_) {
-                if (going[0] == end && coming[1] == end && coming[0] != going[1])
-                    add({{node_, end, going[1], coming[0]}});
-            }
-        }
-    }
-
-    // Where one sheet of the surface passes the node as a small funnel: tets that stop it, in a fan from each corner.
-    void close_funnels() {
-        for (const std::vector<Edge>& sheet : sheets()) {
-            if (sheet.size() > largest_funnel) continue;
-            for (const Edge& corner : sheet) {
-                std::vector<Tet> fan;
-                for (const auto& [from, to] : sheet) {
-                    if (from != corner[0] && to != corner[0]) fan.push_back({node_, from, to, corner[0]});
-                }
-                if (fan.size() + 2 == sheet.size()) add(std::move(fan));
-            }
-        }
-    }
-
-    void add(std::vector<Tet> added) {
-        const TetMesh& mesh = tets_.mesh();
-        std::vector<Tet> before(mesh.tets.begin() + tets_.first_added(), mesh.tets.end());
-        SurfaceChange change;
-        for (const Tet& tet : added) {
-            const auto& p = mesh.positions;
-            if (shape_of(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) < least_added_shape) return;
-            if (!space_.has_room_for(p, tet, before)) return;
-            before.push_back(tet);
-            change.cost += signed_volume(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]);
-        }
-        change.added = std::move(added);
-        all_.push_back(std::move(change));
-    }
-
-    // The ends of the exposed faces that a tet has at the node.
-    [[nodiscard]] std::vector<Index> exposed_ends(Index tet) const {
-        std::vector<Index> ends;
-        const Tet& corners = tets_.mesh().tets[tet];
-        for (int corner = 0; corner < 4; ++corner) {
-            if (corners[corner] == node_ || tets_.neighbour(tet, corner) != none) continue;
-            for (int i = 0; i < 4; ++i) {
-                if (i != corner && corners[i] != node_) ends.push_back(corners[i]);
-            }
-        }
-        return ends;
-    }
-
-    // Where the surface passes the node in two sheets with tets between: the tets of least volume that open the way
-    // from one sheet to the other.
-    void open_path() {
-        const std::vector<Index> first = first_sheet();
-        const auto is_first = [&](Index v) { return std::binary_search(first.begin(), first.end(), v); };
-        struct Reached {
-            double cost;
-            Index tet;
-            Index from;
-            bool operator>(const Reached& b) const { return cost != b.cost ? cost > b.cost : tet > b.tet; }
-        };
-        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
-        for (const Index t : tets_.tets_at(node_)) {
-            const std::vector<Index> ends = exposed_ends(t);
-            if (std::any_of(ends.begin(), ends.end(), is_first)) waiting.push({tets_.volume(t), t, none});
-        }
-        std::vector<Reached> settled;
-        while (!waiting.empty()) {
-            const Reached now = waiting.top();
-            waiting.pop();
-            const auto is_now = [&](const Reached& r) { return r.tet == now.tet; };
-            if (std::any_of(settled.begin(), settled.end(), is_now)) continue;
-            settled.push_back(now);
-            const std::vector<Index> ends = exposed_ends(now.tet);
-            if (std::any_of(ends.begin(), ends.end(), [&](Index v) { return !is_first(v); })) {
-                std::vector<Index> path;
-                for (Index t = now.tet; t != none;) {
-                    path.push_back(t);
-                    t = std::find_if(settled.begin(), settled.end(), [&](const Reached& r) {
-                            return r.tet == t;
-                        })->from;
-                }
-                remove(std::move(path));
-                return;
-            }
-            for (int corner = 0; corner < 4; ++corner) {
-                const Index next = tets_.neighbour(now.tet, corner);
-                if (tets_.mesh().tets[now.tet][corner] == node_ || next == none) continue;
-                waiting.push({now.cost + tets_.volume(next), next, now.tet});
-            }
-        }
-    }
-
-    // The link in parts that hang together by faces of the surface.
-    [[nodiscard]] std::vector<std::vector<Edge>> sheets() const {
-        std::vector<std::vector<Edge>> sheets;
-        std::vector<Edge> left = link_;
-        while (!left.empty()) {
-            std::vector<Edge> sheet{left.front()};
-            left.erase(left.begin());
-            for (std::size_t i = 0; i < sheet.size(); ++i) {
-                const Edge at = sheet[i];
-                const auto meets = [&](const Edge& e) { return e[0] == at[1] || e[1] == at[0]; };
-                std::copy_if(left.begin(), left.end(), std::back_inserter(sheet), meets);
-                std::erase_if(left, meets);
-            }
-            sheets.push_back(std::move(sheet));
-        }
-        return sheets;
-    }
-
-    // The ends of the first sheet, ascending.
-    [[nodiscard]] std::vector<Index> first_sheet() const {
-        std::set<Index> ends;
-        const std::vector<std::vector<Edge>> all = sheets();
-        if (!all.empty()) {
-            for (const Edge& edge : all.front()) ends.insert(edge.begin(), edge.end());
-        }
-        return {ends.begin(), ends.end()};
-    }
-
-    const TetSelection& tets_;
-    const OpenSpace& space_;
-    Index node_;
-    std::vector<Edge> link_;
-    std::vector<SurfaceChange> all_;
-};
 
 class Repairer {
 public:
@@ -246,6 +39,7 @@ public:
             if (best.is_empty()) break;
             carry_out(best);
         }
+        while (let_parts_give_way(context)) continue;
         report_.nodes_left = waiting_.size();
         return {std::move(tets_).take(), report_};
     }
@@ -286,8 +80,7 @@ private:
         if (!best.is_empty() || sideways_ >= max_sideways) return best;
         for (const Index node : waiting_) {
             if (weighed_ >= max_weighed) break;
-            Changes changes(tets_, space_, node, false);
-            for (SurfaceChange& change : changes.all()) {
+            for (SurfaceChange& change : surface_changes_at(tets_, space_, node, false)) {
                 const bool is_better = best.is_empty() || change.cost < best.cost;
                 if (change.gone.empty() || loses_shell_vertex(change) || !is_better || gain_of(change) < 0) continue;
                 best = std::move(change);
@@ -316,8 +109,7 @@ private:
     SurfaceChange best_gaining_change_at(Index node) {
         SurfaceChange best;
         double best_cost = 0;
-        Changes changes(tets_, space_, node, may_split(node));
-        for (SurfaceChange& change : changes.all()) {
+        for (SurfaceChange& change : surface_changes_at(tets_, space_, node, may_split(node))) {
             if (loses_shell_vertex(change)) continue;
             const int gain = gain_of(change);
             if (gain <= 0 || (!best.is_empty() && change.cost / gain >= best_cost)) continue;
@@ -331,6 +123,16 @@ private:
         std::vector<Index> nodes = tets_.nodes_of(change);
         tets_.put(change);
         if (change.split_node != none) nodes.push_back(last_node());
+        mark(nodes);
+        report_.removed += change.gone.size();
+        report_.added += change.added.size();
+        report_.split += change.split_node != none;
+        if (!change.gone.empty()) report_.volume_removed += change.cost;
+        if (!change.added.empty()) report_.volume_added += change.cost;
+    }
+
+    // Enters the bad ones among the nodes and strikes off the good ones.
+    void mark(std::span<const Index> nodes) {
         for (const Index v : nodes) {
             if (tets_.is_manifold(v)) {
                 waiting_.erase(v);
@@ -338,11 +140,56 @@ private:
                 waiting_.insert(v);
             }
         }
-        report_.removed += change.gone.size();
-        report_.added += change.added.size();
-        report_.split += change.split_node != none;
-        if (!change.gone.empty()) report_.volume_removed += change.cost;
-        if (!change.added.empty()) report_.volume_added += change.cost;
+    }
+
+    // What is left gets new nodes, once around. Whether that changed anything.
+    bool let_parts_give_way(const Context& context) {
+        bool has_changed = false;
+        for (const Index node : std::vector<Index>(waiting_.begin(), waiting_.end())) {
+            context.stop_if_cancelled();
+            for (const Index end : tets_.bad_ends_at(node)) {
+                const bool is_bent = gives_way(bend_off_edge(tets_, node, end));
+                report_.bent += is_bent;
+                has_changed |= is_bent;
+            }
+            if (!waiting_.contains(node)) continue;
+            const bool is_cut = gives_way(cut_tips(tets_, node));
+            report_.cut += is_cut;
+            has_changed |= is_cut;
+        }
+        return has_changed;
+    }
+
+    // What is wrong with some nodes. Each change leaves less of it: that ends.
+    struct Faults {
+        std::size_t nodes = 0;
+        std::size_t edges = 0;  // from both sides
+        auto operator<=>(const Faults&) const = default;
+    };
+
+    [[nodiscard]] Faults faults_at(std::span<const Index> nodes) const {
+        Faults faults;
+        for (const Index v : nodes) {
+            faults.nodes += !tets_.is_manifold(v);
+            faults.edges += tets_.bad_ends_at(v).size();
+        }
+        return faults;
+    }
+
+    // Carries the change out if that leaves less wrong.
+    bool gives_way(const SurfaceChange& change) {
+        if (change.is_empty()) return false;
+        const std::vector<Index> nodes = tets_.nodes_of(change);
+        const auto first_new = std::lower_bound(nodes.begin(), nodes.end(), last_node() + 1);
+        const Faults before = faults_at({nodes.begin(), first_new});
+        tets_.put(change);
+        if (!(faults_at(nodes) < before)) {
+            tets_.take_back(change);
+            return false;
+        }
+        mark(nodes);
+        report_.volume_removed += change.cost;
+        return true;
     }
 
     std::vector<Triangle> surface_;  // as it came: tets that went since leave room, which nobody needs

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the surface of the tets a 2-manifold where it touches itself along an edge or at a node: takes away or adds the
-// tets of least volume, or gives the parts that touch a node each.
+// tets of least volume, or gives the parts that touch a node each; where that is not enough, cuts them smaller first.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,16 +13,19 @@ namespace crumple::finish {
 struct RepairReport {
     std::uint64_t edges_before = 0;  // of the surface, with other than two faces
     std::uint64_t nodes_before = 0;  // where the surface is no single fan
-    std::uint64_t nodes_left = 0;    // not to be mended without losing a vertex of the shell
-    std::uint64_t removed = 0;       // tets
+    std::uint64_t nodes_left = 0;
+    std::uint64_t removed = 0;  // tets
     std::uint64_t added = 0;
     std::uint64_t split = 0;    // nodes that parts no longer share
+    std::uint64_t bent = 0;     // edges that parts were bent off
+    std::uint64_t cut = 0;      // nodes whose tets were cut down to one tip
     double volume_removed = 0;  // cubic metres
     double volume_added = 0;
 };
 
 struct Repaired {
-    TetMesh mesh;  // nodes as they came, then copies of split ones; tets in their order, then the added ones
+    TetMesh
+        mesh;  // nodes as they came, then copies of split ones and new ones; tets in their order, then the added ones
     RepairReport report;
 };
 

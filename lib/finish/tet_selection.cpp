@@ -84,6 +84,15 @@ bool TetSelection::is_manifold(Index node) const {
     return false;
 }
 
+std::vector<Index> TetSelection::bad_ends_at(Index node) const {
+    const std::vector<Edge> link = link_of(node);
+    std::vector<Index> ends;
+    for (std::size_t i = 1; i < link.size(); ++i) {
+        if (link[i][0] == link[i - 1][0] && (ends.empty() || ends.back() != link[i][0])) ends.push_back(link[i][0]);
+    }
+    return ends;
+}
+
 std::vector<std::vector<Index>> TetSelection::parts_at(Index node, Index along) const {
     std::vector<Index> left = tets_at(node);
     if (along != none) std::erase_if(left, [&](Index t) { return !has(t, along); });
@@ -120,20 +129,14 @@ std::vector<Index> TetSelection::nodes_of(const SurfaceChange& change) const {
 
 void TetSelection::put(const SurfaceChange& change) {
     for (const Index t : change.gone) is_there_[t] = 0;
-    for (const Tet& tet : change.added) {
-        const Index t = static_cast<Index>(mesh_.tets.size());
-        // The material of a neighbour across its edge (0, 1), which it has.
-        if (!mesh_.region.empty()) {
-            for (const Index other : tets_at(tet[0])) {
-                if (!has(other, tet[1])) continue;
-                mesh_.region.push_back(mesh_.region[other]);
-                break;
-            }
-            mesh_.region.resize(t + 1, 0);
-        }
+    mesh_.positions.insert(mesh_.positions.end(), change.places.begin(), change.places.end());
+    tets_at_.resize(mesh_.positions.size());
+    for (std::size_t i = 0; i < change.added.size(); ++i) {
+        const Tet& tet = change.added[i];
+        for (const Index v : tet) tets_at_[v].push_back(static_cast<Index>(mesh_.tets.size()));
         mesh_.tets.push_back(tet);
+        if (!mesh_.region.empty()) mesh_.region.push_back(mesh_.region[change.like[i]]);
         is_there_.push_back(1);
-        for (const Index v : tet) tets_at_[v].push_back(t);
     }
     if (change.split_node != none) split(change.split_node, change.split_tets);
 }
@@ -147,6 +150,8 @@ void TetSelection::take_back(const SurfaceChange& change) {
         is_there_.pop_back();
         for (const Index v : tet) tets_at_[v].pop_back();
     }
+    mesh_.positions.resize(mesh_.positions.size() - change.places.size());
+    tets_at_.resize(mesh_.positions.size());
 }
 
 void TetSelection::split(Index node, const std::vector<Index>& tets) {

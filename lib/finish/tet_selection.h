@@ -13,9 +13,11 @@ namespace crumple::finish {
 
 // Any of the three; empty ones do nothing.
 struct SurfaceChange {
-    std::vector<Index> gone;  // tets taken away
-    std::vector<Tet> added;   // their edges (0, 1) are edges of the mesh
-    Index split_node = none;  // whose tets in split_tets get a node of their own at the same place
+    std::vector<Index> gone;   // tets taken away
+    std::vector<Tet> added;    // of nodes of the mesh and, numbered on from those, of `places`
+    std::vector<Index> like;   // for each added tet, one of the mesh whose region it takes
+    std::vector<Vec3> places;  // of new nodes, float-representable
+    Index split_node = none;   // whose tets in split_tets get a node of their own at the same place
     std::vector<Index> split_tets;
     double cost = 0;  // cubic metres
 
@@ -39,10 +41,14 @@ public:
     [[nodiscard]] std::vector<Edge> link_of(Index node) const;
     [[nodiscard]] bool is_manifold(Index node) const;
 
+    // The other ends of edges at a node along which more than two faces of the surface meet, ascending.
+    [[nodiscard]] std::vector<Index> bad_ends_at(Index node) const;
+
     // The tets at `node`, with `along` too unless it is none, in parts connected across faces that have both.
     [[nodiscard]] std::vector<std::vector<Index>> parts_at(Index node, Index along) const;
 
-    // The nodes whose surface a change alters; after it, a split node's new one is the last of the mesh.
+    // The nodes whose surface a change alters, those of its new places too; after it, a split node's new one is the
+    // last of the mesh.
     [[nodiscard]] std::vector<Index> nodes_of(const SurfaceChange& change) const;
 
     void put(const SurfaceChange& change);

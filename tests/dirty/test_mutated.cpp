@@ -153,10 +153,11 @@ double red_of(std::size_t vertex) { return vertex % 8 == 0 ? 0 : 1; }
 struct Outcomes {
     std::uint64_t cooked = 0;
     std::uint64_t bundled = 0;
+    std::uint64_t touching = 0;  // of the cooked, those whose surface still touches itself
 };
 
-// Where surfaces of the shell run through each other, touch or all but coincide, repair does not always find a way to
-// part them that loses no vertex. Then it says so. Returns how many nodes are left.
+// Where surfaces of the shell run through each other, touch or all but coincide, tets may be too flat for floats to cut
+// them smaller, and repair cannot part them. Then it says so. Returns how many nodes are left.
 std::size_t expect_manifold_or_told(const Cooked& cooked) {
     const NonManifold left = test::touching(cooked);
     if (left.vertices.empty()) {
@@ -203,6 +204,7 @@ void expect_mesh_or_reason(std::uint64_t seed, Outcomes& outcomes) {
     ++outcomes.cooked;
     EXPECT_EQ(test::fault_but_for_touching(cooked), "");
     const std::size_t touching = expect_manifold_or_told(cooked);
+    outcomes.touching += touching > 0;
     expect_bundle_or_reason(std::move(cooked), touching, outcomes);
 }
 
@@ -216,6 +218,7 @@ TEST(Mutated, EveryShellGivesAValidMeshOrAReason) {
     }
     EXPECT_GT(outcomes.cooked, count / 3);  // the mutations are not all fatal
     EXPECT_GT(outcomes.bundled, count / 5);
+    EXPECT_LE(outcomes.touching, count / 50);
 }
 
 }

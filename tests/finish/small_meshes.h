@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes of a few tets made by hand, so that each operation can be watched alone.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "finish/work_mesh.h"
@@ -9,6 +11,7 @@
 #include "geometry/predicates.h"
 #include "mesh/boundary.h"
 #include "mesh/neighbours.h"
+#include "mesh/shapes.h"
 #include "mesh/shell.h"
 
 namespace crumple::finish::small {
@@ -65,6 +68,23 @@ inline TetMesh box_around(Vec3 centre) {
         if (orient3d(positions[t[0]], positions[t[1]], positions[t[2]], positions[t[3]]) < 0) std::swap(t[0], t[1]);
     }
     return mesh_of(positions, tets, 8);
+}
+
+// The tets of a grid of unit cells whose cell is wanted; cells count from the low corner.
+inline TetMesh cells(int per_axis, const std::function<bool(int x, int y, int z)>& is_wanted) {
+    TetMesh mesh = shapes::tet_grid(per_axis, {0, 0, 0}, Vec3{1, 1, 1} * per_axis);
+    std::erase_if(mesh.tets, [&](const Tet& tet) {
+        Vec3 sum{};
+        for (const Index v : tet) sum += mesh.positions[v];
+        return !is_wanted(static_cast<int>(sum.x / 4), static_cast<int>(sum.y / 4), static_cast<int>(sum.z / 4));
+    });
+    mesh.region.assign(mesh.tets.size(), 0);
+    mesh.neighbours = neighbours_of(mesh.tets);
+    return mesh;
+}
+
+inline Index node_at(const TetMesh& mesh, Vec3 place) {
+    return static_cast<Index>(std::find(mesh.positions.begin(), mesh.positions.end(), place) - mesh.positions.begin());
 }
 
 inline double volume_of(const TetMesh& mesh) {

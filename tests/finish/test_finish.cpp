@@ -325,6 +325,55 @@ TEST(Finish, AThinShellIsNamedAsWhatForcesFlatTets) {
     EXPECT_EQ(result.report.after.below_10_deg, result.report.forced_thin);
 }
 
+TEST(Finish, ANeedleOfTheShellIsNamedAsWhatForcesFlatTets) {
+    // A vertex on an edge, so near to its end that the triangles there have corners of 0.1 degrees.
+    Shell shell = shapes::subdivided_box(2);
+    const Triangle first = shell.triangles[0];
+    const Vec3 from = shell.positions[first[0]];
+    const auto near = static_cast<Index>(shell.positions.size());
+    shell.positions.push_back(round_to_float(from + (shell.positions[first[1]] - from) * 0.002));
+    for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
+        Triangle& at = shell.triangles[t];
+        for (int i = 0; i < 3; ++i) {
+            if (std::minmax(at[i], at[(i + 1) % 3]) != std::minmax(first[0], first[1])) continue;
+            Triangle rest = at;
+            rest[i] = near;
+            at[(i + 1) % 3] = near;
+            shell.triangles.push_back(rest);
+            shell.component.push_back(0);
+            break;
+        }
+    }
+    shell.locked.push_back(0);
+    shell.source_vertex.push_back(near);
+    const Result result = finish_mesh(shell, culled(shell));
+    EXPECT_GT(result.report.forced_needle, 0u);
+    EXPECT_TRUE(has(result.report, "FINISH_FORCED_NEEDLE"));
+}
+
+TEST(Finish, TwoSurfacesThatNearlyMeetAreNamedAsWhatForcesFlatTets) {
+    const Shell shell =
+        shapes::joined(shapes::subdivided_box(3), shapes::subdivided_box(3, {1e-3, 0, 0}, {1.001, 1, 1}));
+    const Result result = finish_mesh(shell, culled(shell));
+    EXPECT_GT(result.report.forced_gap, 0u);
+    EXPECT_TRUE(has(result.report, "FINISH_FORCED_GAP"));
+}
+
+TEST(Finish, ARepairIsToldWithWhatWasDone) {
+    TetMesh mesh = small::cells(2, [](int x, int y, int z) { return x == y && y == z; });
+    mesh.shell_vertex_count = static_cast<Index>(mesh.positions.size());
+    const Shell shell = small::shell_of(mesh);
+    const Result result = finish_mesh(shell, mesh);
+    const auto told = std::find_if(result.report.findings.begin(), result.report.findings.end(),
+                                   [](const Finding& finding) { return finding.code == "FINISH_REPAIRED"; });
+    ASSERT_NE(told, result.report.findings.end());
+    EXPECT_EQ(told->count, 1u);
+    EXPECT_EQ(told->severity, Severity::info);
+    EXPECT_EQ(result.report.repair.split + result.report.repair.removed, 1u);
+    EXPECT_EQ(result.report.repair.nodes_left, 0u);
+    EXPECT_TRUE(non_manifold(boundary_of(result.mesh).faces).vertices.empty());
+}
+
 TEST(Finish, SpotReachesItsGoal) {
     CRUMPLE_NEEDS_DATA();
     const auto shell = shared_shell("spot");

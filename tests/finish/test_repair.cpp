@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "mesh/shapes.h"
 #include "mesh/validate.h"
@@ -12,19 +11,6 @@
 
 namespace crumple::finish {
 namespace {
-
-// The tets of a grid of cells whose cell is wanted; cells count from the low corner.
-TetMesh cells(int per_axis, const std::function<bool(int x, int y, int z)>& is_wanted) {
-    TetMesh mesh = shapes::tet_grid(per_axis, {0, 0, 0}, Vec3{1, 1, 1} * per_axis);
-    std::erase_if(mesh.tets, [&](const Tet& tet) {
-        Vec3 sum{};
-        for (const Index v : tet) sum += mesh.positions[v];
-        return !is_wanted(static_cast<int>(sum.x / 4), static_cast<int>(sum.y / 4), static_cast<int>(sum.z / 4));
-    });
-    mesh.region.assign(mesh.tets.size(), 0);
-    mesh.neighbours = neighbours_of(mesh.tets);
-    return mesh;
-}
 
 void expect_mended(const TetMesh& mesh) {
     const NonManifold before = non_manifold(boundary_of(mesh).faces);
@@ -52,26 +38,26 @@ TEST(Repair, OfNothingIsNothing) {
 }
 
 TEST(Repair, LeavesAManifoldAsItIs) {
-    const TetMesh mesh = cells(3, [](int x, int y, int z) { return x != 1 || y != 1 || z != 2; });
+    const TetMesh mesh = small::cells(3, [](int x, int y, int z) { return x != 1 || y != 1 || z != 2; });
     const Repaired repaired = repair_surface(mesh, {}, {});
     EXPECT_EQ(repaired.mesh.tets, mesh.tets);
     EXPECT_EQ(repaired.report.removed + repaired.report.added, 0u);
 }
 
 TEST(Repair, PartsOrJoinTwoBlocksThatShareAnEdge) {
-    expect_mended(cells(2, [](int x, int y, int) { return x == y; }));
-    expect_mended(cells(2, [](int x, int y, int) { return x != y; }));
+    expect_mended(small::cells(2, [](int x, int y, int) { return x == y; }));
+    expect_mended(small::cells(2, [](int x, int y, int) { return x != y; }));
 }
 
 TEST(Repair, PartsOrJoinTwoBlocksThatShareANode) {
-    expect_mended(cells(2, [](int x, int y, int z) { return x == y && y == z; }));
-    expect_mended(cells(2, [](int x, int y, int z) { return x != y && y == z; }));
+    expect_mended(small::cells(2, [](int x, int y, int z) { return x == y && y == z; }));
+    expect_mended(small::cells(2, [](int x, int y, int z) { return x != y && y == z; }));
 }
 
 TEST(Repair, OpensACavityThatTouchesTheOutside) {
     // A hole of one cell inside that shares an edge with a notch at the surface.
-    expect_mended(
-        cells(4, [](int x, int y, int z) { return !(x == 1 && y == 1 && z == 1) && !(x == 0 && y == 0 && z == 1); }));
+    expect_mended(small::cells(
+        4, [](int x, int y, int z) { return !(x == 1 && y == 1 && z == 1) && !(x == 0 && y == 0 && z == 1); }));
 }
 
 TEST(Repair, ASpongeEndsSoundWhateverIsLeft) {
@@ -126,8 +112,24 @@ TEST(Repair, ALockedNodeIsNotCopied) {
     const std::uint8_t locked[] = {1, 0, 0, 0, 0, 0, 0};
     const Repaired repaired = repair_surface(mesh, locked, {});
     EXPECT_EQ(repaired.report.split, 0u);
+    EXPECT_EQ(repaired.report.cut, 1u) << "but one of its two tets is cut off it";
+    EXPECT_EQ(repaired.report.nodes_left, 0u);
+    EXPECT_EQ(std::count(repaired.mesh.positions.begin(), repaired.mesh.positions.end(), mesh.positions[0]), 1);
+    EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), repaired.mesh.positions.begin()));
+    EXPECT_TRUE(small::is_all_positive(repaired.mesh));
+    EXPECT_TRUE(non_manifold(boundary_of(repaired.mesh).faces).vertices.empty());
+}
+
+TEST(Repair, WhatFloatsCannotHoldIsSaid) {
+    // So far out that nothing lies between two neighbouring places.
+    TetMesh mesh = bow_tie();
+    for (Vec3& p : mesh.positions) p = p * 2 + Vec3{1, 1, 1} * 16777216.0 * 2;
+    for (Vec3& p : mesh.positions) p = round_to_float(p);
+    const std::uint8_t locked[] = {1, 0, 0, 0, 0, 0, 0};
+    const Repaired repaired = repair_surface(mesh, locked, {});
     EXPECT_EQ(repaired.report.nodes_left, 1u);
     EXPECT_EQ(repaired.mesh.positions, mesh.positions);
+    EXPECT_EQ(repaired.mesh.tets, mesh.tets);
 }
 
 }

@@ -2,6 +2,9 @@
 // Real shells through sample, delaunay, relax, recover and cull.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "geometry/surface_distance.h"
 #include "recovered.h"
 #include "relax/relax.h"
 #include "sample/read_obj_shell.h"
@@ -51,6 +54,22 @@ TEST(SharedShells, TheCarBodyIsExactAndManifold) {
     EXPECT_EQ(culled.non_manifold_edges, 0u);
     EXPECT_EQ(culled.non_manifold_vertices, 0u);
     EXPECT_EQ(culled.straddling, 0u);
+}
+
+TEST(SharedShells, NodesPutOnTheShellAreTold) {
+    CRUMPLE_NEEDS_DATA();
+    const auto shell = shapes::read_obj_shell(test::data_folder() / "quality/suzanne.obj");
+    ASSERT_TRUE(shell);
+    const TetMesh before = relax::relax_points(delaunay_of(*shell, "auto"), *shell).mesh;
+    const Report report = recover_shell(before, *shell).report;
+    ASSERT_GT(report.steiner_points, 0u);
+    const auto told = std::find_if(report.findings.begin(), report.findings.end(),
+                                   [](const Finding& finding) { return finding.code == "RECOVER_STEINER"; });
+    ASSERT_NE(told, report.findings.end());
+    EXPECT_EQ(told->count, report.steiner_points);
+    EXPECT_EQ(told->places.size(), std::min<std::size_t>(report.steiner_points, max_places));
+    const SurfaceDistance surface(shell->positions, shell->triangles);
+    for (const Place& place : told->places) EXPECT_LT(surface.closest(place.position).distance, 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(
