@@ -81,25 +81,6 @@ struct Neighbours {
     std::vector<Neighbour> list;
 };
 
-// Visits the half-edges of one edge component by component.
-template <class Visit>
-void for_each_component_edge(const std::vector<HalfEdge>& half_edges, const std::vector<Index>& of_triangle,
-                             Visit&& visit) {
-    const auto component = [&](const HalfEdge& side) { return of_triangle[side.triangle]; };
-    std::vector<HalfEdge> sides;
-    for_each_edge(half_edges, [&](std::span<const HalfEdge> edge) {
-        sides.assign(edge.begin(), edge.end());
-        std::stable_sort(sides.begin(), sides.end(),
-                         [&](const HalfEdge& a, const HalfEdge& b) { return component(a) < component(b); });
-        for (std::size_t begin = 0; begin < sides.size();) {
-            std::size_t end = begin + 1;
-            while (end < sides.size() && component(sides[end]) == component(sides[begin])) ++end;
-            visit(component(sides[begin]), std::span<const HalfEdge>(sides).subspan(begin, end - begin));
-            begin = end;
-        }
-    });
-}
-
 Neighbours find_neighbours(const std::vector<HalfEdge>& half_edges, const std::vector<Index>& of_triangle) {
     std::vector<std::array<Index, 2>> pairs;
     std::vector<bool> agrees;
@@ -166,7 +147,7 @@ void orient(const Surface& surface, const std::vector<HalfEdge>& half_edges, Wel
         const auto patch = walk_patch(neighbours, seed, turn, conflicted);
         if (conflicted) {
             stuck.count += patch.size();
-            if (stuck.places.size() < max_places)
+            if (wants_place(stuck))
                 stuck.places.push_back(place_of(shell, surface, seed, centre_of(shell, shell.triangles[seed])));
             continue;
         }
@@ -175,8 +156,7 @@ void orient(const Surface& surface, const std::vector<HalfEdge>& half_edges, Wel
         for (const Index t : patch) {
             if (turn[t] != fewer) continue;
             std::swap(shell.triangles[t][1], shell.triangles[t][2]);
-            if (repaired.count++ < max_places)
-                repaired.places.push_back(place_of(shell, surface, t, centre_of(shell, shell.triangles[t])));
+            count_one(repaired, place_of(shell, surface, t, centre_of(shell, shell.triangles[t])));
         }
     }
     result.flipped = repaired.count;
@@ -200,7 +180,7 @@ void judge_edges(const Surface& surface, const Welded& shell, Components& result
     Finding many{"SHELL_NON_MANIFOLD", Severity::warning, "", 0, {}};
     const auto add = [&](Finding& finding, const HalfEdge& side) {
         const Vec3 middle = (shell.positions[side.low] + shell.positions[side.high]) / 2.0;
-        if (finding.count++ < max_places) finding.places.push_back(place_of(shell, surface, side.triangle, middle));
+        count_one(finding, place_of(shell, surface, side.triangle, middle));
     };
     const auto half_edges = sorted_half_edges(shell.triangles);
     for_each_component_edge(half_edges, result.of_triangle, [&](Index component, std::span<const HalfEdge> edge) {

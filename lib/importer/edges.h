@@ -50,4 +50,22 @@ void for_each_edge(std::span<const HalfEdge> sorted, Visit&& visit) {
     }
 }
 
+// The same, component by component: visit(component, span of HalfEdge).
+template <class Visit>
+void for_each_component_edge(std::span<const HalfEdge> sorted, std::span<const Index> of_triangle, Visit&& visit) {
+    const auto component = [&](const HalfEdge& side) { return of_triangle[side.triangle]; };
+    std::vector<HalfEdge> sides;
+    for_each_edge(sorted, [&](std::span<const HalfEdge> edge) {
+        sides.assign(edge.begin(), edge.end());
+        std::stable_sort(sides.begin(), sides.end(),
+                         [&](const HalfEdge& a, const HalfEdge& b) { return component(a) < component(b); });
+        for (std::size_t begin = 0; begin < sides.size();) {
+            std::size_t end = begin + 1;
+            while (end < sides.size() && component(sides[end]) == component(sides[begin])) ++end;
+            visit(component(sides[begin]), std::span<const HalfEdge>(sides).subspan(begin, end - begin));
+            begin = end;
+        }
+    });
+}
+
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/counted.h"
+#include "core/disjoint_sets.h"
 #include "core/short_text.h"
 #include "geometry/bvh.h"
 #include "geometry/measures.h"
@@ -103,11 +104,48 @@ std::vector<Finding> find_t_junctions(const Shell& shell, double diagonal) {
                                          shell.positions[v], tolerance);
             return is_junction;
         });
-        if (is_junction && finding.count++ < max_places) finding.places.push_back({shell.positions[v], v, ""});
+        if (is_junction) count_one(finding, {shell.positions[v], v, ""});
     }
     if (finding.count == 0) return {};
     finding.message = counted(finding.count, "vertex lies", "vertices lie") +
                       " on the middle of an open edge: the edge looks closed and is not; split it there";
+    return {finding};
+}
+
+// Unites the corners, 3 t + k, of triangles that share an edge: what is left apart at a vertex are its fans.
+DisjointSets fans_of(const Shell& shell) {
+    DisjointSets fans(3 * shell.triangles.size());
+    const auto corner = [](const HalfEdge& edge, bool low) {
+        return 3 * edge.triangle + (edge.ascends == low ? edge.side : (edge.side + 1) % 3);
+    };
+    const std::vector<HalfEdge> half_edges = sorted_half_edges(shell.triangles);
+    for_each_component_edge(half_edges, shell.component, [&](Index, std::span<const HalfEdge> edge) {
+        for (const HalfEdge& other : edge.subspan(1)) {
+            fans.unite(corner(edge[0], true), corner(other, true));
+            fans.unite(corner(edge[0], false), corner(other, false));
+        }
+    });
+    return fans;
+}
+
+std::vector<Finding> find_pinched(const Shell& shell) {
+    DisjointSets fans = fans_of(shell);
+    std::vector<std::array<Index, 2>> fan_at;  // vertex and component of each fan
+    for (Index c = 0; c < 3 * shell.triangles.size(); ++c) {
+        if (fans.find(c) == c) fan_at.push_back({shell.triangles[c / 3][c % 3], shell.component[c / 3]});
+    }
+    std::sort(fan_at.begin(), fan_at.end());
+    Finding finding{"SHELL_PINCHED", Severity::warning, "", 0, {}};
+    for (auto at = fan_at.begin(); at != fan_at.end();) {
+        const auto next = std::upper_bound(at, fan_at.end(), *at);
+        const auto [vertex, component] = *at;
+        if (next - at > 1) count_one(finding, {shell.positions[vertex], vertex, shell.components[component].name});
+        at = next;
+    }
+    if (finding.count == 0) return {};
+    finding.message = counted(finding.count, "vertex joins", "vertices join") +
+                      " parts of one component that share no edge there: they hang together in a point; move them "
+                      "apart, or join them over a whole face";
     return {finding};
 }
 
@@ -152,11 +190,10 @@ std::vector<Finding> find_nearly_double(const Shell& shell, double diagonal) {
         const Twin twin = find_twin(shell, tree, t, nearly_double * diagonal);
         if (twin.triangle == none) continue;
         farthest = std::max(farthest, twin.distance);
-        if (finding.count++ >= max_places) continue;
         Place place = place_of(shell, t);
         const std::string& other = shell.components[shell.component[twin.triangle]].name;
         if (other != place.name) place.name += " / " + other;
-        finding.places.push_back(std::move(place));
+        count_one(finding, std::move(place));
     }
     if (finding.count == 0) return {};
     finding.message =
@@ -171,6 +208,7 @@ std::vector<Finding> find_nearly_double(const Shell& shell, double diagonal) {
 std::vector<Finding> find_flaws(const Shell& shell, double diagonal) {
     std::vector<Finding> findings = find_needles(shell);
     for (Finding& finding : find_t_junctions(shell, diagonal)) findings.push_back(std::move(finding));
+    for (Finding& finding : find_pinched(shell)) findings.push_back(std::move(finding));
     for (Finding& finding : find_nearly_double(shell, diagonal)) findings.push_back(std::move(finding));
     return findings;
 }

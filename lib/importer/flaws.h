@@ -9,7 +9,8 @@
 namespace crumple::importer {
 
 // SHELL_NEEDLE: triangles with a corner below 5 degrees, the sharpest first. SHELL_T_JUNCTION: vertices of open edges
-// that lie on the middle of another open edge. SHELL_NEARLY_DOUBLE: triangles whose middle lies nearly on another one.
+// that lie on the middle of another open edge. SHELL_PINCHED: vertices where the triangles of one component form more
+// than one fan. SHELL_NEARLY_DOUBLE: triangles whose middle lies nearly on another one.
 [[nodiscard]] std::vector<Finding> find_flaws(const Shell& shell, double diagonal);
 
 }

@@ -157,6 +157,7 @@ TEST(Import, EveryKindOfDirtHasItsFinding) {
     const Case cases[] = {
         {"SHELL_OPEN", shapes::without_triangle(box)},
         {"SHELL_NON_MANIFOLD", fin},
+        {"SHELL_PINCHED", two(box, shapes::box({1, 1, 1}, {2, 2, 2}))},
         {"SHELL_INCONSISTENT", turned},
         {"SHELL_SELF_INTERSECTING", folded},
         {"SHELL_DUPLICATE", twice},
@@ -176,6 +177,34 @@ TEST(Import, EveryKindOfDirtHasItsFinding) {
         EXPECT_FALSE(finding->places.empty()) << c.code;
         EXPECT_LE(finding->places.size(), max_places) << c.code;
     }
+}
+
+TEST(Import, PartsThatHangTogetherInAPointAreTold) {
+    const auto beside = [](Vec3 low) { return import_obj(two(shapes::box(), shapes::box(low, low + Vec3{1, 1, 1}))); };
+    const Result corner = beside({1, 1, 1});
+    const Finding* pinched = find(corner.report.findings, "SHELL_PINCHED");
+    ASSERT_NE(pinched, nullptr);
+    EXPECT_EQ(pinched->count, 1u);
+    EXPECT_EQ(pinched->places.at(0).position, (Vec3{1, 1, 1}));
+    EXPECT_EQ(corner.asset.shell.positions[pinched->places[0].element], (Vec3{1, 1, 1}));
+    EXPECT_FALSE(has(corner.report, "SHELL_NON_MANIFOLD"));
+    const Result edge = beside({1, 1, 0});
+    EXPECT_TRUE(has(edge.report, "SHELL_NON_MANIFOLD"));
+    EXPECT_FALSE(has(edge.report, "SHELL_PINCHED")) << "an edge holds them together";
+    EXPECT_FALSE(has(beside({2, 2, 2}).report, "SHELL_PINCHED"));
+    EXPECT_FALSE(has(import_obj(shapes::without_triangle(shapes::box())).report, "SHELL_PINCHED"));
+}
+
+TEST(Import, ObjectsClosedByThemselvesMayTouchInAPoint) {
+    const TempFolder folder;
+    const Shell both = two(shapes::box(), shapes::box({1, 1, 1}, {2, 2, 2}));
+    std::string text = "o first\n" + obj_text(both);
+    const Triangle& first_of_second = both.triangles[both.triangles.size() / 2];
+    text.insert(text.find("f " + std::to_string(first_of_second[0] + 1) + " " + std::to_string(first_of_second[1] + 1)),
+                "o second\n");
+    const Result result = import_shell(folder.write("two.obj", text));
+    EXPECT_EQ(result.asset.shell.components.size(), 2u);
+    EXPECT_FALSE(has(result.report, "SHELL_PINCHED"));
 }
 
 TEST(Import, NearlyEverythingPaintedIsReported) {
