@@ -110,6 +110,19 @@ std::string name_for_assimp(const std::string& path, const formats::Format& form
     return bytes.starts_with("glTF") ? "scene.glb" : "scene.gltf";
 }
 
+// assimp leaves out triangles of vertices that are not there, and a glTF file has no other that it does not deliver.
+void check_triangles(std::uint64_t lost, std::uint64_t expected) {
+    if (lost == 0) return;
+    refuse(std::to_string(lost) + " of its " + std::to_string(expected) +
+           " triangles refer to vertices that are not there; the file is damaged, export it again");
+}
+
+[[noreturn]] void refuse_unread(const std::string& why, const Source& source, const formats::Format& format) {
+    const std::uint64_t expected = source.scan.expected_triangles;
+    if (why == no_faces && format.id == formats::FormatId::gltf) check_triangles(expected, expected);
+    refuse(why);
+}
+
 // The importer is never destroyed: some destructors crash after a good load, and this process ends anyway.
 // JoinIdenticalVertices would lose locks (it ignores colours), SortByPType would reorder vertices.
 const aiScene& read_with_assimp(const std::string& path, const Source& source, const formats::Format& format) {
@@ -121,7 +134,7 @@ const aiScene& read_with_assimp(const std::string& path, const Source& source, c
     auto* importer = new Assimp::Importer;
     importer->SetIOHandler(files);
     const aiScene* scene = importer->ReadFile(name, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
-    if (!scene) refuse(reason(*importer, name));
+    if (!scene) refuse_unread(reason(*importer, name), source, format);
     check_importer(*scene, format);
     if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) || !scene->mRootNode || scene->mNumMeshes == 0) {
         refuse(
@@ -172,13 +185,6 @@ SceneMesh copy_mesh(const aiScene& scene, const aiMesh& from, formats::Purpose p
     return mesh;
 }
 
-// assimp leaves out triangles of vertices that are not there, and a glTF file has no other that it does not deliver.
-void check_triangles(const Scene& scene) {
-    if (scene.lost_triangles() == 0) return;
-    refuse(std::to_string(scene.lost_triangles()) + " of its " + std::to_string(scene.expected_triangles) +
-           " triangles refer to vertices that are not there; the file is damaged, export it again");
-}
-
 // Some programs hide a colour a face in STL's spare bits, and a default one in its header: nobody's paint.
 void forget_colors(Scene& scene) {
     for (SceneMesh& mesh : scene.meshes) mesh.colors.clear();
@@ -224,7 +230,7 @@ Scene read_scene(const std::string& path, const formats::Format& format, formats
     scene.extensions = source.scan.extensions;
     for (unsigned m = 0; m < from.mNumMeshes; ++m) scene.meshes.push_back(copy_mesh(from, *from.mMeshes[m], purpose));
     copy_nodes(*from.mRootNode, scene.nodes);
-    if (format.id == formats::FormatId::gltf) check_triangles(scene);
+    if (format.id == formats::FormatId::gltf) check_triangles(scene.lost_triangles(), scene.expected_triangles);
     if (format.id == formats::FormatId::stl) forget_colors(scene);
     read_file_space(from, format.id, scene);
     restore(std::move(source.scan), scene);

@@ -145,8 +145,7 @@ std::string gltf_text(const std::string& rest) {
 std::string gltf_buffer() {
     std::string bytes;
     const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-    for (const Vec3& p : shapes::box().positions)
-        append(Vec3f{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    for (const Vec3& p : shapes::box().positions) append(narrow(p));
     for (const Triangle& t : shapes::box().triangles) {
         for (const Index v : t) append(static_cast<std::uint16_t>(v));
     }
@@ -187,6 +186,11 @@ TEST(ReadScene, ATriangleOfAGltfThatRefersToNoVertexIsRefused) {
     EXPECT_EQ(refusal.kind, ErrorKind::bad_input);
     EXPECT_TRUE(contains(refusal.message, "1 of its 12 triangles refer to vertices that are not there"))
         << refusal.message;
+    constexpr std::size_t first_index = 96;
+    for (std::size_t high_byte = first_index + 1; high_byte < bytes.size(); high_byte += 2) bytes[high_byte] = 1;
+    (void)folder.write("box.bin", bytes);
+    const auto all = refusal_of_file(folder.write("a.gltf", gltf_text("")));
+    EXPECT_TRUE(contains(all.message, "12 of its 12 triangles refer to vertices that are not there")) << all.message;
 }
 
 TEST(ReadScene, AGltfIsWhatItsBytesAreWhateverItIsCalled) {
