@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bundle/validation.h"
+#include "bundle/validate_parts.h"
 
 namespace crumple {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bundle/exact_volume.h"
-#include "bundle/validation.h"
+#include "bundle/validate_parts.h"
 
 namespace crumple {
 namespace {

@@ -3,7 +3,7 @@
 // is there, every block is needed, and rows ascend, so nothing is there twice.
 #include <algorithm>
 
-#include "bundle/validation.h"
+#include "bundle/validate_parts.h"
 
 namespace crumple {
 namespace {

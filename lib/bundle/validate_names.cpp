@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "bundle/validation.h"
+#include "bundle/validate_parts.h"
 
 namespace crumple {
 

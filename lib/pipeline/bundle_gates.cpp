@@ -63,10 +63,10 @@ GateCheck check_gates(const Workspace& work) {
         check.params.enforce = false;
     }
     if (work.asset) {
-        check.shell = Source::measured;
+        check.shell = ShellFigures::measured;
         check.report = judge_cooked(work, check.params, {});
     } else {
-        check.shell = told ? Source::stored : Source::none;
+        check.shell = told ? ShellFigures::stored : ShellFigures::none;
         check.report = gates::judge_again(*work.bundle, told ? told->report : gates::Report(), check.params);
     }
     return check;

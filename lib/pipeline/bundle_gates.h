@@ -15,15 +15,16 @@ namespace crumple::pipeline {
 [[nodiscard]] gates::Report judge_cooked(const Workspace& workspace, const gates::Params& params,
                                          const Context& context);
 
-enum class Source { none, stored, measured };
-inline constexpr EnumName<Source> source_names[] = {
-    {Source::none, "none"}, {Source::stored, "stored"}, {Source::measured, "measured"}};
-constexpr std::span<const EnumName<Source>> enum_names(Source) { return source_names; }
+// Where the figures that need the shell come from.
+enum class ShellFigures { none, stored, measured };
+inline constexpr EnumName<ShellFigures> shell_figures_names[] = {
+    {ShellFigures::none, "none"}, {ShellFigures::stored, "stored"}, {ShellFigures::measured, "measured"}};
+constexpr std::span<const EnumName<ShellFigures>> enum_names(ShellFigures) { return shell_figures_names; }
 
 struct GateCheck {
-    Source shell = Source::none;  // of what needs the shell
-    bool was_asked = false;       // the file has been through the gates; else none of them fails it
-    gates::Params params;         // as the file was cooked
+    ShellFigures shell = ShellFigures::none;
+    bool was_asked = false;  // the file has been through the gates; else none of them fails it
+    gates::Params params;    // as the file was cooked
     gates::Report report;
 };
 

@@ -32,7 +32,7 @@ struct FileCheck {
     std::vector<Finding> problems;  // digests that are wrong, invariants that do not hold
     std::vector<Finding> findings;  // gates that are not met, measured on the file itself
     quality::Figures figures;
-    Source shell = Source::none;
+    ShellFigures shell = ShellFigures::none;
     std::vector<StageFindings> stages;  // stored when it was cooked: what needs the shell is told by these
     std::vector<StageRecord> record;
 };
