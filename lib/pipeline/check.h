@@ -7,6 +7,7 @@
 
 #include "core/finding.h"
 #include "pipeline/bundle_gates.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/workspace.h"
 #include "quality/figures.h"
 #include "report/described.h"
@@ -26,7 +27,7 @@ void describe(Visitor& visit, S& s) {
 
 struct FileCheck {
     std::string path;
-    int exit_code = 0;
+    int exit_code = exit_ok;
     std::string error;              // why it could not be checked to the end
     std::string digest;             // of the content, whatever the layout
     std::vector<Finding> problems;  // digests that are wrong, invariants that do not hold
@@ -56,7 +57,7 @@ void describe(Visitor& visit, C& c) {
 
 struct CheckReport {
     std::string schema = "crumple/check/2";
-    int exit_code = 0;
+    int exit_code = exit_ok;
     std::vector<FileCheck> files;
 };
 

@@ -7,6 +7,7 @@
 
 #include "pipeline/budget.h"
 #include "pipeline/cook_record.h"
+#include "pipeline/exit_codes.h"
 #include "pipeline/recipe.h"
 #include "pipeline/runner.h"
 #include "pipeline/work_file.h"
@@ -46,7 +47,7 @@ void describe(Visitor& visit, R& r) {
 struct CookReport {
     std::string schema = "crumple/cook_report/1";
     std::string tool_version;
-    int exit_code = 0;
+    int exit_code = exit_ok;
     std::string error;       // what stopped it
     std::string stopped_in;  // stage, "check_determinism" or "write"; empty when cooked
     std::string recipe;      // name or path as given

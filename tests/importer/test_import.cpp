@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/import.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <set>
@@ -12,6 +14,8 @@
 #include "importer/obj_text.h"
 #include "importer/temp_folder.h"
 #include "mesh/shapes.h"
+#include "sandbox/child_side.h"
+#include "sandbox/process_memory.h"
 
 namespace crumple::importer {
 namespace {
@@ -39,6 +43,23 @@ TEST(Import, PathThatCannotBeOpenedIsAFileError) {
     const std::string pipe = (folder.path() / "pipe.obj").string();
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_EQ(refusal_of_file(pipe).kind, ErrorKind::file);
+}
+
+// The limit is for good: in a process of its own.
+[[noreturn]] void import_with_little_memory(const std::string& path) {
+    const rlim_t most = sandbox::memory_of(getpid()).address_space + (rlim_t{8} << 20);
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+    const auto refusal = refusal_of_file(path);
+    const bool is_told = refusal.kind == ErrorKind::budget && contains(refusal.message, "ulimit -v");
+    _exit(is_told ? 0 : 1);
+}
+
+TEST(Import, MemoryThatTheSystemDoesNotLeaveIsNoFaultOfTheFile) {
+    if (sandbox::has_sanitizer) GTEST_SKIP() << "AddressSanitizer's own mappings exclude a limit on the address space";
+    const TempFolder folder;
+    const std::string path = folder.write("large.obj", obj_text(shapes::subdivided_box(60)));
+    EXPECT_EXIT(import_with_little_memory(path), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(Import, UnknownExtensionSaysWhichFormatsWork) {

@@ -20,20 +20,13 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "sandbox/child_side.h"
 #include "sandbox/process_memory.h"
 
 namespace crumple::sandbox {
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 Bytes bytes_of(const char* text) {
     Bytes bytes(std::strlen(text));
@@ -174,12 +167,12 @@ TEST(Sandbox, RunawayMemoryEndsAtTheMemoryLimit) {
 }
 
 TEST(Sandbox, LessMemoryThanTheLimitIsNotTheChildsFault) {
-    if (sanitized) GTEST_SKIP() << "AddressSanitizer's own mappings exclude a limit on the address space";
+    if (has_sanitizer) GTEST_SKIP() << "AddressSanitizer's own mappings exclude a limit on the address space";
     EXPECT_EXIT(eat_what_the_system_leaves(std::size_t{100} << 20), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(Sandbox, OneAbsurdAllocationEndsAtTheMemoryLimit) {
-    if (sanitized) GTEST_SKIP() << "AddressSanitizer ends the process itself on an absurd allocation";
+    if (has_sanitizer) GTEST_SKIP() << "AddressSanitizer ends the process itself on an absurd allocation";
     Limits limits;
     limits.memory_bytes = std::size_t{64} << 20;
     const auto ask = []() -> Bytes { return Bytes(std::size_t{1} << 40); };
@@ -189,7 +182,7 @@ TEST(Sandbox, OneAbsurdAllocationEndsAtTheMemoryLimit) {
 TEST(Sandbox, MemoryOfTheParentDoesNotCount) {
     const Bytes ours(std::size_t{100} << 20, std::byte{1});
     Limits limits;
-    limits.memory_bytes = std::size_t{sanitized ? 400u : 50u} << 20;
+    limits.memory_bytes = std::size_t{has_sanitizer ? 400u : 50u} << 20;
     EXPECT_EQ(run_in_child([] { return Bytes(1 << 20); }, limits).ending, Ending::ok);
     EXPECT_EQ(ours.back(), std::byte{1});
 }
