@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mesh/boundary.h"
-#include "quality/gate_places.h"
+#include "quality/place_teller.h"
 #include "quality/shell_limits.h"
 #include "quality/tet_measures.h"
 
@@ -14,7 +14,7 @@ namespace crumple::finish {
 
 namespace {
 
-using quality::Limit;
+using quality::ShellLimit;
 
 // What an artist knows a region by.
 std::vector<std::string> names_of(const Shell& shell) {
@@ -37,7 +37,7 @@ std::vector<BadTet> find_bad(const TetMesh& mesh) {
     for (Index t = 0; t < mesh.tets.size(); ++t) {
         const auto& [a, b, c, d] = mesh.tets[t];
         const auto& p = mesh.positions;
-        const quality::AngleKey key = quality::min_dihedral(p[a], p[b], p[c], p[d]);
+        const quality::AngleKey key = quality::min_dihedral_key(p[a], p[b], p[c], p[d]);
         if (key < quality::key_of_10_deg) bad.push_back({quality::degrees_of(key), t});
     }
     std::sort(bad.begin(), bad.end(), [](const BadTet& a, const BadTet& b) {
@@ -46,16 +46,16 @@ std::vector<BadTet> find_bad(const TetMesh& mesh) {
     return bad;
 }
 
-Finding empty_finding(Limit limit) {
+Finding empty_finding(ShellLimit limit) {
     switch (limit) {
-        case Limit::thin:
+        case ShellLimit::thin:
             return {"FINISH_FORCED_THIN",
                     Severity::info,
                     "tets below 10 degrees where the shell is thin for its long edges: no mesh that keeps its vertices "
                     "does better; give it more vertices there, or more thickness",
                     0,
                     {}};
-        case Limit::needle:
+        case ShellLimit::needle:
             return {
                 "FINISH_FORCED_NEEDLE",
                 Severity::info,
@@ -63,7 +63,7 @@ Finding empty_finding(Limit limit) {
                 "the near vertices or turn the edges there",
                 0,
                 {}};
-        case Limit::gap:
+        case ShellLimit::gap:
             return {
                 "FINISH_FORCED_GAP",
                 Severity::info,
@@ -71,7 +71,7 @@ Finding empty_finding(Limit limit) {
                 "delete one that is a copy, or move them apart",
                 0,
                 {}};
-        case Limit::none:
+        case ShellLimit::none:
             break;
     }
     return {"FINISH_BAD_TETS",
@@ -86,26 +86,26 @@ void report_bad_tets(const Shell& shell, const TetMesh& mesh, Report& report, co
     const std::vector<BadTet> bad = find_bad(mesh);
     std::vector<Tet> tets;
     for (const BadTet& entry : bad) tets.push_back(mesh.tets[entry.tet]);
-    const std::vector<Limit> limits =
+    const std::vector<ShellLimit> limits =
         quality::find_limits({shell.positions, shell.triangles}, mesh.positions, tets, context);
     const std::vector<std::string> names = names_of(shell);
     quality::PlaceNames place_names;
     place_names.components = names;
     const quality::PlaceTeller teller(mesh, {shell.positions, shell.triangles}, place_names);
-    for (const Limit limit : {Limit::none, Limit::thin, Limit::needle, Limit::gap}) {
+    for (const ShellLimit limit : {ShellLimit::none, ShellLimit::thin, ShellLimit::needle, ShellLimit::gap}) {
         Finding finding = empty_finding(limit);
         for (std::size_t i = 0; i < bad.size(); ++i) {
             if (limits[i] != limit) continue;
             ++finding.count;
-            if (finding.places.size() == max_places) continue;
+            if (!wants_place(finding)) continue;
             char text[32];
             std::snprintf(text, sizeof text, "%.3g degrees", bad[i].angle_deg);
             finding.places.push_back(teller.at_tet(bad[i].tet, text));
         }
-        if (limit == Limit::none) report.failed = finding.count;
-        if (limit == Limit::thin) report.forced_thin = finding.count;
-        if (limit == Limit::needle) report.forced_needle = finding.count;
-        if (limit == Limit::gap) report.forced_gap = finding.count;
+        if (limit == ShellLimit::none) report.failed = finding.count;
+        if (limit == ShellLimit::thin) report.forced_thin = finding.count;
+        if (limit == ShellLimit::needle) report.forced_needle = finding.count;
+        if (limit == ShellLimit::gap) report.forced_gap = finding.count;
         if (finding.count > 0) report.findings.push_back(std::move(finding));
     }
 }
@@ -129,10 +129,7 @@ void report_repair(const TetMesh& mesh, Report& report) {
                     "leave a gap there or unite what touches",
                     0,
                     {}};
-    for (const Index v : non_manifold(boundary_of(mesh).faces).vertices) {
-        ++finding.count;
-        if (finding.places.size() < max_places) finding.places.push_back({mesh.positions[v], v, {}});
-    }
+    for (const Index v : non_manifold(boundary_of(mesh).faces).vertices) count_one(finding, {mesh.positions[v], v, {}});
     report.findings.push_back(std::move(finding));
 }
 

@@ -165,7 +165,7 @@ private:
     [[nodiscard]] bool is_flat(const Vec3 (&p)[4], int tip, double volume) const {
         const auto& base = tet_face_corners[tip];
         const double area_2 = length(area_vector(p[base[0]], p[base[1]], p[base[2]]));
-        return quality::min_dihedral(p[0], p[1], p[2], p[3]) < sine_ * sine_ &&
+        return quality::min_dihedral_key(p[0], p[1], p[2], p[3]) < sine_ * sine_ &&
                6 * volume <= limits_.share_of_edge * mean_edge(p) * area_2 && report_.spent + volume <= limits_.volume;
     }
 

@@ -64,7 +64,7 @@ double mean_edge(const WorkMesh& mesh, Index tet) {
 
 bool has_small_angle(const WorkMesh& mesh, Index tet, double sine) {
     const auto& [a, b, c, d] = mesh.complex.corners(tet);
-    return quality::min_dihedral(mesh.at(a), mesh.at(b), mesh.at(c), mesh.at(d)) < sine * sine;
+    return quality::min_dihedral_key(mesh.at(a), mesh.at(b), mesh.at(c), mesh.at(d)) < sine * sine;
 }
 
 double height_of(const WorkMesh& mesh, const Bandage& bandage) {

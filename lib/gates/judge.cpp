@@ -13,8 +13,8 @@ namespace crumple::gates {
 namespace {
 
 using quality::Badness;
-using quality::Limit;
 using quality::PlaceTeller;
+using quality::ShellLimit;
 
 constexpr const char* thicken =
     "thicken it there, or cut its triangles finer until an edge is no longer than five times the thickness";
@@ -25,15 +25,15 @@ constexpr const char* part_surfaces =
 constexpr const char* mesh_better =
     "try more interior points (sample.points) or another seed (sample.seed), with finish.mode full";
 
-std::string remedy_for(Limit limit) {
+std::string remedy_for(ShellLimit limit) {
     switch (limit) {
-        case Limit::none:
+        case ShellLimit::none:
             return std::string("the shell does not force it: ") + mesh_better;
-        case Limit::thin:
+        case ShellLimit::thin:
             return std::string("the shell is too thin for its edges: ") + thicken;
-        case Limit::needle:
+        case ShellLimit::needle:
             return std::string("a triangle of the shell has such a corner: ") + mend_needle;
-        case Limit::gap:
+        case ShellLimit::gap:
             return std::string("two surfaces of the shell lie too close together for their edges: ") + part_surfaces;
     }
     return mesh_better;
@@ -67,7 +67,7 @@ void judge_share_below_10(Judgement& judgement, const Case& of) {
     const auto tell = [&]() -> Judgement::Told {
         const std::uint64_t needles = f.below_10_needle;
         const std::uint64_t unforced = f.shape.below_10_deg - f.below_10_thin - needles;
-        const std::uint64_t gaps = std::min(of.teller.count(Limit::gap), unforced);
+        const std::uint64_t gaps = std::min(of.teller.count(ShellLimit::gap), unforced);
         const std::uint64_t free = unforced - gaps;
         const char* remedy = gaps > std::max(needles, free) ? part_surfaces
                              : needles > free               ? mend_needle
@@ -76,7 +76,7 @@ void judge_share_below_10(Judgement& judgement, const Case& of) {
         if (gaps > 0) split += std::to_string(gaps) + " where its surfaces nearly meet, ";
         split += std::to_string(free) + " are not its fault (" + std::to_string(f.below_10_thin) +
                  " where it is thin do not count): ";
-        return {split + remedy, of.teller.worst(Badness::flattest, Limit::thin).places,
+        return {split + remedy, of.teller.worst(Badness::flattest, ShellLimit::thin).places,
                 static_cast<std::uint64_t>(counted)};
     };
     judgement.ask("GATE_BELOW_10_DEG", "the share of tets with an angle below 10 degrees", counted / f.shape.tets,

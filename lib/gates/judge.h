@@ -8,7 +8,7 @@
 #include "mesh/shell.h"
 #include "mesh/tet_mesh.h"
 #include "quality/figures.h"
-#include "quality/gate_places.h"
+#include "quality/place_teller.h"
 
 namespace crumple::gates {
 

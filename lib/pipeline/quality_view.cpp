@@ -60,7 +60,7 @@ void add_limits(const Shell& shell, const Shown& shown, store::ViewFields& field
     if (triangles.empty()) return;
     const auto limits = quality::find_limits({shown.positions, triangles}, shown.positions, shown.tets);
     std::vector<std::uint8_t> values;
-    for (const quality::Limit limit : limits) values.push_back(static_cast<std::uint8_t>(limit));
+    for (const quality::ShellLimit limit : limits) values.push_back(static_cast<std::uint8_t>(limit));
     fields.cells.push_back({"shell_limit", std::move(values)});
 }
 

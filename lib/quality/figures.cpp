@@ -28,9 +28,9 @@ Figures measure(const TetMesh& mesh, const Shell* shell, const Context& context)
     const std::vector<Triangle> faces = boundary_of(mesh).faces;
     figures.topology = measure_topology(mesh, faces);
     const Surface surface = shell ? Surface{shell->positions, shell->triangles} : Surface{mesh.positions, faces};
-    const std::vector<Limit> limits = find_limits(surface, mesh.positions, mesh.tets, context);
-    figures.below_10_thin = static_cast<std::uint64_t>(std::count(limits.begin(), limits.end(), Limit::thin));
-    figures.below_10_needle = static_cast<std::uint64_t>(std::count(limits.begin(), limits.end(), Limit::needle));
+    const std::vector<ShellLimit> limits = find_limits(surface, mesh.positions, mesh.tets, context);
+    figures.below_10_thin = static_cast<std::uint64_t>(std::count(limits.begin(), limits.end(), ShellLimit::thin));
+    figures.below_10_needle = static_cast<std::uint64_t>(std::count(limits.begin(), limits.end(), ShellLimit::needle));
     return figures;
 }
 

@@ -215,27 +215,27 @@ private:
     std::vector<double> clearance_;  // F: how near the surface comes to itself, likewise
 };
 
-Limit judge(const Places& places, const Tet& tet, double angle_deg, double below_deg) {
+ShellLimit judge(const Places& places, const Tet& tet, double angle_deg, double below_deg) {
     const double thin = places.thin_limit_deg(tet);
-    if (reached * thin < below_deg && angle_deg >= reached * thin) return Limit::thin;
+    if (reached * thin < below_deg && angle_deg >= reached * thin) return ShellLimit::thin;
     const double needle = places.needle_deg(tet);
-    if (needle < below_deg && angle_deg >= needle_reached * needle) return Limit::needle;
-    if (places.narrowest_gap(tet) < hardly_apart) return Limit::gap;
+    if (needle < below_deg && angle_deg >= needle_reached * needle) return ShellLimit::needle;
+    if (places.narrowest_gap(tet) < hardly_apart) return ShellLimit::gap;
     const double gap = degrees(std::atan(places.gap(tet)));
-    return reached * gap < below_deg && angle_deg >= reached * gap ? Limit::gap : Limit::none;
+    return reached * gap < below_deg && angle_deg >= reached * gap ? ShellLimit::gap : ShellLimit::none;
 }
 
 }
 
-std::vector<Limit> find_limits(const Surface& surface, std::span<const Vec3> positions, std::span<const Tet> tets,
-                               const Context& context, double below_deg) {
-    std::vector<Limit> limits(tets.size(), Limit::none);
+std::vector<ShellLimit> find_limits(const Surface& surface, std::span<const Vec3> positions, std::span<const Tet> tets,
+                                    const Context& context, double below_deg) {
+    std::vector<ShellLimit> limits(tets.size(), ShellLimit::none);
     const AngleKey below = key_of(below_deg);
     std::vector<Index> bad;
     std::vector<AngleKey> angle;
     for (Index t = 0; t < tets.size(); ++t) {
         const auto& [a, b, c, d] = tets[t];
-        const AngleKey key = min_dihedral(positions[a], positions[b], positions[c], positions[d]);
+        const AngleKey key = min_dihedral_key(positions[a], positions[b], positions[c], positions[d]);
         if (!(key > key_of_0_deg) || !(key < below)) continue;
         bad.push_back(t);
         angle.push_back(key);

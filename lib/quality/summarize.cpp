@@ -103,7 +103,7 @@ std::vector<AngleKey> min_dihedrals(std::span<const Vec3> positions, std::span<c
     parallel_for(context, tets.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const auto& [a, b, c, d] = tets[t];
-            keys[t] = min_dihedral(positions[a], positions[b], positions[c], positions[d]);
+            keys[t] = min_dihedral_key(positions[a], positions[b], positions[c], positions[d]);
         }
     });
     return keys;

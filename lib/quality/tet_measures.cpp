@@ -80,7 +80,7 @@ double degrees_of(AngleKey key) {
     return key <= 1 ? acute : 180 - acute;
 }
 
-AngleKey min_dihedral(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+AngleKey min_dihedral_key(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const Parts parts = take_apart(a, b, c, d);
     if (!(parts.six_volumes > 0)) return key_of_0_deg;
     AngleKey least = key_of_180_deg;

@@ -28,6 +28,6 @@ struct TetMeasures {
 [[nodiscard]] TetMeasures measure_tet(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 // Only TetMeasures::min_dihedral, for loops that ask often.
-[[nodiscard]] AngleKey min_dihedral(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+[[nodiscard]] AngleKey min_dihedral_key(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 }

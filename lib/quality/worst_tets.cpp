@@ -51,7 +51,7 @@ std::vector<Place> places_of_least(std::span<const Vec3> positions, std::span<co
 }
 
 std::vector<Place> worst_tets(std::span<const Vec3> positions, std::span<const Tet> tets, std::size_t count) {
-    return places_of_least(positions, tets, count, min_dihedral, "%.3g degrees", degrees_of);
+    return places_of_least(positions, tets, count, min_dihedral_key, "%.3g degrees", degrees_of);
 }
 
 std::vector<Place> stiffest_tets(std::span<const Vec3> positions, std::span<const Tet> tets, std::size_t count) {

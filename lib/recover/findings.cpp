@@ -20,7 +20,7 @@ Index origin_at(const Evidence& evidence, const Edge& segment) {
 }
 
 void add_place(Finding& finding, const Evidence& evidence, Vec3 position, Index shell_triangle) {
-    if (finding.places.size() < max_places)
+    if (wants_place(finding))
         finding.places.push_back({position, shell_triangle, component_of(evidence, shell_triangle)});
 }
 

@@ -57,7 +57,7 @@ TEST(Shape, IsNoBetterThanTheSineOfTheSmallestAngle) {
     Rng rng(6);
     for (int round = 0; round < 2000; ++round) {
         const Vec3 a = random_place(rng), b = random_place(rng), c = random_place(rng), d = random_place(rng);
-        const double key = quality::min_dihedral(a, b, c, d);
+        const double key = quality::min_dihedral_key(a, b, c, d);
         if (key > 1) continue;
         EXPECT_LE(shape_of(a, b, c, d), std::sqrt(key) * (1 + 1e-12));
     }

@@ -18,7 +18,7 @@ using namespace crumple::quality;
 
 namespace {
 
-std::vector<Limit> limits_of(const TetMesh& mesh) {
+std::vector<ShellLimit> limits_of(const TetMesh& mesh) {
     const std::vector<Triangle> faces = boundary_of(mesh).faces;
     return find_limits({mesh.positions, faces}, mesh.positions, mesh.tets);
 }
@@ -26,8 +26,8 @@ std::vector<Limit> limits_of(const TetMesh& mesh) {
 double least_angle(const TetMesh& mesh) {
     double least = 180;
     for (const auto& [a, b, c, d] : mesh.tets) {
-        least = std::min(least, degrees_of(min_dihedral(mesh.positions[a], mesh.positions[b], mesh.positions[c],
-                                                        mesh.positions[d])));
+        least = std::min(least, degrees_of(min_dihedral_key(mesh.positions[a], mesh.positions[b], mesh.positions[c],
+                                                            mesh.positions[d])));
     }
     return least;
 }
@@ -50,19 +50,19 @@ TEST(ShellLimits, NoTetsHaveNone) { EXPECT_TRUE(limits_of(TetMesh{}).empty()); }
 
 TEST(ShellLimits, GoodTetsNeedNoExcuse) {
     const TetMesh mesh = shapes::tet_grid(3);
-    EXPECT_EQ(limits_of(mesh), std::vector<Limit>(mesh.tets.size(), Limit::none));
+    EXPECT_EQ(limits_of(mesh), std::vector<ShellLimit>(mesh.tets.size(), ShellLimit::none));
 }
 
 TEST(ShellLimits, ASheetThinForItsEdgesExcusesTheTetsThatReachWhatItAllows) {
     const double thickness = 0.1;
     const TetMesh mesh = layer(8, 1, thickness);
     ASSERT_LT(least_angle(mesh), 10);
-    const std::vector<Limit> limits = limits_of(mesh);
+    const std::vector<ShellLimit> limits = limits_of(mesh);
     for (std::size_t t = 0; t < limits.size(); ++t) {
         const auto& [a, b, c, d] = mesh.tets[t];
         const double angle =
-            degrees_of(min_dihedral(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[d]));
-        EXPECT_EQ(limits[t], angle < 10 ? Limit::thin : Limit::none) << angle;
+            degrees_of(min_dihedral_key(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.positions[d]));
+        EXPECT_EQ(limits[t], angle < 10 ? ShellLimit::thin : ShellLimit::none) << angle;
     }
 }
 
@@ -74,8 +74,8 @@ TEST(ShellLimits, ASliverInAThinSheetHasNoExcuseWhenTheSheetAllowsBetter) {
     const Vec3 normal = area_vector(sound[a], sound[b], sound[c]);
     const double height = dot(sound[d] - sound[a], normal) / dot(normal, normal);
     mesh.positions[d] -= normal * (0.9 * height);
-    const std::vector<Limit> limits = find_limits({sound, faces}, mesh.positions, mesh.tets);
-    EXPECT_EQ(limits[mesh.tets.size() / 2], Limit::none);
+    const std::vector<ShellLimit> limits = find_limits({sound, faces}, mesh.positions, mesh.tets);
+    EXPECT_EQ(limits[mesh.tets.size() / 2], ShellLimit::none);
 }
 
 TEST(ShellLimits, ATetOnANeedleOfTheShellIsNamedSo) {
@@ -85,14 +85,14 @@ TEST(ShellLimits, ATetOnANeedleOfTheShellIsNamedSo) {
     mesh.tets = {{0, 1, 2, 3}};
     mesh.neighbours = {{none, none, none, none}};
     ASSERT_LT(least_angle(mesh), 10);
-    EXPECT_NE(limits_of(mesh)[0], Limit::none);
+    EXPECT_NE(limits_of(mesh)[0], ShellLimit::none);
     // As part of a thick shell it is the needle alone.
     const Shell box = shapes::box({-2, -2, 0}, {2, 2, 4});
     std::vector<Vec3> positions = mesh.positions;
     std::vector<Triangle> triangles{{0, 2, 1}};
     for (const Vec3 p : box.positions) positions.push_back(p);
     for (const Triangle& t : box.triangles) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
-    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::needle);
+    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], ShellLimit::needle);
 }
 
 TEST(ShellLimits, ASliverOnAThickShellHasNoExcuse) {
@@ -108,16 +108,16 @@ TEST(ShellLimits, ASliverOnAThickShellHasNoExcuse) {
         if (!is_top) triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
     }
     triangles.push_back({0, 1, 2});
-    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], Limit::none);
+    EXPECT_EQ(find_limits({positions, triangles}, mesh.positions, mesh.tets)[0], ShellLimit::none);
 }
 
 TEST(ShellLimits, OtherAnglesThanTenDegreesCanBeAskedFor) {
     const TetMesh mesh = layer(6, 1, 0.2);  // atan 0.2 is 11.3 degrees
     const std::vector<Triangle> faces = boundary_of(mesh).faces;
-    const std::vector<Limit> below_10 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets);
-    const std::vector<Limit> below_20 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets, {}, 20);
-    EXPECT_EQ(std::count(below_10.begin(), below_10.end(), Limit::none), std::ssize(below_10));
-    EXPECT_GT(std::count(below_20.begin(), below_20.end(), Limit::thin), std::ssize(below_20) / 2);
+    const std::vector<ShellLimit> below_10 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets);
+    const std::vector<ShellLimit> below_20 = find_limits({mesh.positions, faces}, mesh.positions, mesh.tets, {}, 20);
+    EXPECT_EQ(std::count(below_10.begin(), below_10.end(), ShellLimit::none), std::ssize(below_10));
+    EXPECT_GT(std::count(below_20.begin(), below_20.end(), ShellLimit::thin), std::ssize(below_20) / 2);
 }
 
 // A box, and the same one inside it, the gap between them filled by layers of tets on each face.
@@ -146,18 +146,18 @@ Doubled doubled(double gap) {
 TEST(ShellLimits, SurfacesThatNearlyCoincideForceTheTetsBetweenThem) {
     for (const double gap : {1e-7, 1e-4, 0.01}) {
         const Doubled made = doubled(gap);
-        const std::vector<Limit> limits =
+        const std::vector<ShellLimit> limits =
             find_limits({made.shell.positions, made.shell.triangles}, made.mesh.positions, made.mesh.tets);
-        for (const Limit limit : limits) EXPECT_EQ(limit, Limit::gap) << gap;
+        for (const ShellLimit limit : limits) EXPECT_EQ(limit, ShellLimit::gap) << gap;
     }
 }
 
 TEST(ShellLimits, AThinSheetIsThinHoweverLarge) {
     for (const double thickness : {1e-2, 1e-4, 1e-6}) {
         const TetMesh mesh = layer(16, 1, thickness);
-        const std::vector<Limit> limits = limits_of(mesh);
-        EXPECT_GT(std::count(limits.begin(), limits.end(), Limit::thin), std::ssize(limits) / 2) << thickness;
-        EXPECT_EQ(std::count(limits.begin(), limits.end(), Limit::none), 0) << thickness;
+        const std::vector<ShellLimit> limits = limits_of(mesh);
+        EXPECT_GT(std::count(limits.begin(), limits.end(), ShellLimit::thin), std::ssize(limits) / 2) << thickness;
+        EXPECT_EQ(std::count(limits.begin(), limits.end(), ShellLimit::none), 0) << thickness;
     }
 }
 

@@ -104,7 +104,7 @@ TEST(TetMeasures, AnglesAgreeWithProjectionAlongTheEdges) {
         // Near a right angle the arcsine loses half the digits.
         EXPECT_NEAR(degrees_of(shape.min_dihedral), least, 1e-5) << i;
         EXPECT_NEAR(degrees_of(shape.max_dihedral), largest, 1e-5) << i;
-        EXPECT_EQ(min_dihedral(c[0], c[1], c[2], c[3]), shape.min_dihedral);
+        EXPECT_EQ(min_dihedral_key(c[0], c[1], c[2], c[3]), shape.min_dihedral);
     }
 }
 
