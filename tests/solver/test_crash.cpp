@@ -8,19 +8,11 @@
 namespace crumple::solver::test {
 namespace {
 
-#ifdef NDEBUG
-constexpr std::uint64_t crash_runs = 1000;
-#else
-constexpr std::uint64_t crash_runs = 150;  // with sanitizers a run takes twenty times as long
-#endif
-
-}
-
 // Wanted is that no run is ever above the bound. Of 10,000 runs 2.9 % of the driven bodies are at some time, and 2.6 % of
 // the free ones while their carrier turns by less than half a radian a step; the first 500 free runs hold 5 %. A free
 // carrier that turns faster is beyond what its load can be found for (see carrier_load.cpp): finite, but it may gain.
 TEST(S10Crash, RandomCrashesOfInstancesStayFiniteAndHardlyAnyGainsEnergy) {
-    const auto runs = test::effort<std::uint64_t>(crash_runs, 100000, 40);
+    const auto runs = test::effort<std::uint64_t>(test::crash_runs, test::all_crash_runs, 40);
     std::uint64_t driven = 0, driven_over = 0, free = 0, free_over = 0;
     for (std::uint64_t seed = 0; seed < runs; ++seed) {
         CrashRun run(seed);
@@ -39,4 +31,5 @@ TEST(S10Crash, RandomCrashesOfInstancesStayFiniteAndHardlyAnyGainsEnergy) {
     RecordProperty("free_over", static_cast<int>(free_over));
 }
 
+}
 }

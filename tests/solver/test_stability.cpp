@@ -241,17 +241,11 @@ TEST(S7StiffnessSweep, RealSteelStaysFiniteAndBounded) {
     }
 }
 
-#ifdef NDEBUG
-constexpr std::uint64_t crash_runs = 1000;
-#else
-constexpr std::uint64_t crash_runs = 150;  // with sanitizers a run takes twenty times as long
-#endif
-
 // S10, quick: wild materials, steps, speeds to 100 m/s, nodes thrown anywhere. No NaN, and never more than twice the
 // energy that was put in. CRUMPLE_FULL_TESTS=1 makes it 100,000 runs.
 TEST(S10Crash, AThousandRandomRunsStayFiniteAndBounded) {
     int cut = 0;
-    const std::uint64_t runs = test::effort<std::uint64_t>(crash_runs, 100000, 60);
+    const std::uint64_t runs = test::effort<std::uint64_t>(test::crash_runs, test::all_crash_runs, 60);
     for (std::uint64_t seed = 0; seed < runs; ++seed) {
         Rng rng(seed, 10);
         const auto between = [&](double low, double high) { return low * std::pow(high / low, rng.next_unit()); };
