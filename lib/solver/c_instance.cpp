@@ -41,6 +41,11 @@ std::span<const To> span_of(const From* data, std::size_t count) {
     return {reinterpret_cast<const To*>(data), data ? count : 0};
 }
 
+template <class To, class From>
+std::span<To> room_of(From* data, std::size_t count) {
+    return {reinterpret_cast<To*>(data), data ? count : 0};
+}
+
 Vec3 in(crumple_vec3 v) { return {v.x, v.y, v.z}; }
 Vec3f in(crumple_vec3f v) { return {v.x, v.y, v.z}; }
 crumple_vec3 out(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -97,6 +102,7 @@ InstanceInput in(const crumple_input& from, const crumple_instance& instance, st
     input.hits = span_of<Hit>(from.hits, from.hit_count);
     input.forces = span_of<Vec3f>(from.forces, instance.model->model.node_count);
     input.constraints = span_of<Constraint>(from.constraints, from.constraint_count);
+    input.reactions = room_of<Vec3f>(from.reactions, instance.model->model.node_count);
     input.room = room;
     input.sleep = {from.sleep_speed, from.sleep_after_s, from.wake_speed, from.wake_pull};
     input.may_sleep = from.may_sleep != 0;

@@ -222,6 +222,8 @@ typedef struct crumple_input {
     const crumple_vec3f* forces; /* a node each, newtons; may be null */
     const crumple_constraint* constraints;
     size_t constraint_count;
+    crumple_vec3f* reactions; /* a node each, newtons its constraint or lock pushes with, 0 where free; may be null. A
+                               * body that sleeps leaves them as they are. */
     float sleep_speed;
     float sleep_after_s;
     float wake_speed;

@@ -193,6 +193,31 @@ struct Saved {
     std::vector<std::byte> bytes;
 };
 
+TEST(CProgram, IsToldWhatEachLockPushesWith) {
+    Saved body;
+    const crumple_info info = crumple_model_info(body.model);
+    const std::uint8_t* locked = crumple_locked(body.model);
+    std::vector<crumple_vec3f> reactions(info.nodes, {7, 7, 7});
+    crumple_input input = crumple_default_input();
+    input.is_carrier_free = 0;
+    input.reactions = reactions.data();
+    input.may_sleep = 0;
+    crumple_report report{};
+    for (int i = 0; i < 600; ++i) report = body.step(input);
+    Vec3 sum{};
+    for (std::size_t n = 0; n < info.nodes; ++n) {
+        const crumple_vec3f r = reactions[n];
+        if (!locked[n]) EXPECT_EQ(r.x * r.x + r.y * r.y + r.z * r.z, 0) << n;
+        sum += {r.x, r.y, r.z};
+    }
+    double weight = 0;
+    for (const float mass : tower().mass) weight += 9.81 * static_cast<double>(mass);
+    EXPECT_NEAR(sum.x, 0, 1e-3 * weight);
+    EXPECT_NEAR(sum.y, weight, 1e-3 * weight);
+    EXPECT_NEAR(sum.z, 0, 1e-3 * weight);
+    EXPECT_NEAR(report.force.y, 0, 1e-3 * weight) << "gravity is the engine's own";
+}
+
 TEST(CProgram, IsRefusedASaveWithAnyBitChanged) {
     Saved saved;
     saved.step();
