@@ -79,52 +79,6 @@ double elastic_energy_of(const Trial& trial, const Model& model, Workspace& w, c
     return total;
 }
 
-// What each constraint gives; a body that some of them hold fast.
-void add_constraint_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
-                             Six& given) {
-    for (Index node = 0; node < model.node_count; ++node) {
-        if (w.constraint[node] == 0 || model.bundle.locked[node]) continue;
-        const Vec3f impulse = constraint_impulse(model, w, input.constraints[w.constraint[node] - 1]);
-        add_to(given, 1, push_at(widen(position(state, node)), widen(impulse)));
-    }
-}
-
-// A free body's momentum changes by what its constraints give and by what is known: so the two agree whatever the
-// solve left undone.
-void add_missing_momentum(const Model& model, const State& state, const Workspace& w, const StepInput& input,
-                          const Ledger& ledger, const RigidLocks& locks, Six& given) {
-    add_to(given, -1, ledger.momentum);
-    const double dt = static_cast<double>(input.dt);
-    for (std::size_t node = 0; node < model.node_count; ++node) {
-        const Vec3 v = widen(velocity(state, node)) + widen(row(w.change, node));
-        const Vec3 known =
-            widen(outside_force(model, state, input, node)) - v * static_cast<double>(model.alpha_mass[node]);
-        const Vec3 gained = v * static_cast<double>(model.bundle.mass[node]) - known * dt;
-        add_to(given, 1, push_at(widen(position(state, node)), gained));
-    }
-    add_to(given, 1, times(locks.own_mass, locks.change));
-    add_to(given, -1, locks.fall);
-    add_to(given, -1, ledger.wind.push);
-}
-
-void add_impulses(const Model& model, const State& state, const Workspace& w, const StepInput& input,
-                  const ConstraintCounts& constraints, const Ledger& ledger, const Whole& whole, Advanced& result) {
-    Six given = ledger.wind.push;
-    if (!input.forces.empty()) {
-        for (std::size_t node = 0; node < model.node_count; ++node) {
-            add_to(given, static_cast<double>(input.dt),
-                   push_at(widen(position(state, node)), widen(input.forces[node])));
-        }
-    }
-    if (!whole.response.is_given) {
-        add_constraint_impulses(model, state, w, input, given);
-    } else if (constraints.partial > 0) {
-        add_missing_momentum(model, state, w, input, ledger, whole.locks, given);
-    }
-    result.impulse = linear_part(given);
-    result.angular_impulse = angular_part(given);
-}
-
 void commit(const Model& model, State& state, const Trial& trial) {
     for (std::size_t node = 0; node < model.node_count; ++node) {
         // Squares of what is still a float may be none any more.
@@ -147,29 +101,34 @@ Advanced advance(const Model& model, State& state, Workspace& w, const StepInput
     Advanced result;
     double budget = 0;
     double keep = 1;
+    Pushes pushes(model, state, w, input, w.partials.first(constraints.partial), ledger, whole);
     // Nodes that are driven leave those that stand still behind: then stopping is no way out.
-    const bool is_driven = std::any_of(input.constraints.begin(), input.constraints.end(),
-                                       [](const Constraint& c) { return !(c.velocity == Vec3f{}); });
+    const bool is_driven = std::any_of(input.constraints.begin(), input.constraints.end(), [](const Constraint& c) {
+        return c.kind != ConstraintKind::contact && !(c.velocity == Vec3f{});
+    });
     for (;;) {
         const Trial trial = propose(model, state, w, input, whole.locks);
-        const double work = trial.work + ledger.wind.work + constraint_work(model, w, constraints.partial, input);
+        const double work = trial.work + ledger.wind.work + pushes.work(result.is_cut);
         budget = std::max(put_in + work, 0.0);
         result.energy = trial.kinetic + elastic_energy_of(trial, model, w, input, elements, kernels, jobs);
         result.has_overflowed = result.has_overflowed || trial.has_overflowed;
         const bool is_fine = result.energy <= std::max(budget_slack * budget, energy + work) + noise;
-        const bool is_last = keep == 0 || (is_driven && keep < 0.1);
+        const bool is_last = is_driven ? keep < 0.1 : keep == 0 && !pushes.has_contacts();
         if (is_fine || is_last) {
-            add_impulses(model, state, w, input, constraints, ledger, whole, result);
-            if (!input.reactions.empty()) write_reactions(model, w, constraints.partial, input);
+            const Six given = pushes.given();
+            result.impulse = linear_part(given);
+            result.angular_impulse = angular_part(given);
+            if (!input.reactions.empty()) pushes.write_reactions(result.is_cut);
             commit(model, state, trial);
             result.energy += trial.relative - trial.kinetic;
             budget = std::max(0.0, budget + trial.relative - trial.kinetic);
             break;
         }
-        // A few halves, then standing still.
+        // A few halves, then standing still, then without contacts.
+        if (keep == 0) pushes.let_go_of_contacts();
         const double before = keep;
         keep = keep > 0.1 || is_driven ? 0.5 * keep : 0;
-        shorten_change(model, state, w, constraints, whole, 1 - keep / before);
+        shorten_change(model, state, w, constraints, whole, before > 0 ? 1 - keep / before : 1);
         result.is_cut = true;
     }
     if (!std::isfinite(result.energy) || !std::isfinite(budget)) result.energy = budget = 0;

@@ -89,7 +89,7 @@ enum StepWarning : std::uint32_t {
     step_not_finite = 2,      // a velocity, or the load, overflowed and was set to 0
     step_bad_constraint = 4,  // a node out of range or a direction without length: ignored
     step_bad_input = 8,       // dt not positive, a wrong length, a number that is none: nothing was done
-    step_restrained = 16,     // cut short, or it would have made energy
+    step_restrained = 16,     // cut short, or it would have made energy; contacts may have given way
 };
 
 struct StepReport {

@@ -114,6 +114,36 @@ TEST(Contact, APoleStaysOutside) {
     EXPECT_TRUE(dropped.body.is_finite());
 }
 
+// In one step it would go three times its size into two walls: what they ask of its nodes would tear it apart.
+TEST(Contact, AStiffBodyThatHitsHardGainsNoEnergyAndReactionsSumToItsMomentum) {
+    for (const double young_pa : {1e6, 1e8, 1e9}) {
+        Body body(grid_body({2, 1, 1}, {0.3f, 0.3f, 0.3f}, elastic_material(young_pa)));
+        body.set_velocities([](Vec3f) { return Vec3f{-36, -60, 0}; });
+        Obstacle walls[2];
+        walls[0].axis = {0.5, 1, 0.3};
+        walls[1].axis = {1, -0.2, 0.1};
+        for (Obstacle& wall : walls) wall.position = {-0.05, -0.05, 0};
+        std::vector<Constraint> room(body.node_count());
+        std::vector<Vec3f> reactions(body.node_count());
+        InstanceInput input;
+        input.dt = 1.0f / 40;
+        input.gravity = {};
+        input.obstacles = walls;
+        input.room = room;
+        input.reactions = reactions;
+        const double energy = kinetic_energy(body.model, body.state);
+        const Vec3 momentum = linear_momentum(body.model, body.state);
+        const StepReport report = step_instance(body.model, body.state, body.workspace, input, body.settings).step;
+        EXPECT_EQ((report.warnings & step_restrained) != 0, young_pa > 1e6);
+        EXPECT_LT(report.energy, energy) << young_pa;
+        Vec3 sum;
+        for (const Vec3f& reaction : reactions) sum += widen(reaction) * static_cast<double>(input.dt);
+        const Vec3 gained = linear_momentum(body.model, body.state) - momentum;
+        EXPECT_LT(length(sum - gained), 1e-3 * length(gained)) << young_pa;
+        EXPECT_LT(length(report.impulse - gained), 1e-3 * length(gained)) << young_pa;
+    }
+}
+
 TEST(Contact, SurfacesAreWhereTheyShouldBe) {
     Obstacle box;
     box.shape = ObstacleShape::box;
