@@ -207,7 +207,9 @@ TEST(CProgram, IsToldWhatEachLockPushesWith) {
     Vec3 sum{};
     for (std::size_t n = 0; n < info.nodes; ++n) {
         const crumple_vec3f r = reactions[n];
-        if (!locked[n]) EXPECT_EQ(r.x * r.x + r.y * r.y + r.z * r.z, 0) << n;
+        if (!locked[n]) {
+            EXPECT_EQ(r.x * r.x + r.y * r.y + r.z * r.z, 0) << n;
+        }
         sum += {r.x, r.y, r.z};
     }
     double weight = 0;
