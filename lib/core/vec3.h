@@ -66,8 +66,8 @@ constexpr bool lexicographic_less(Vec3T<T> a, Vec3T<T> b) {
 }
 
 // The nearest position a game can hold. Offline positions stay on such values (see lib/README.md, invariants).
-// The volatiles keep g++ 12 from optimizing the rounding away: from -O2 on, its basic-block vectorizer takes a double made
-// float and double again, three times side by side, for no change at all.
+// The volatiles keep g++ 12 from optimizing the rounding away: from -O2 on, its basic-block vectorizer takes a double
+// made float and double again, three times side by side, for no change at all.
 inline Vec3 round_to_float(Vec3 p) {
     const volatile float x = static_cast<float>(p.x);
     const volatile float y = static_cast<float>(p.y);

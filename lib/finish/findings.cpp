@@ -123,12 +123,13 @@ void report_repair(const TetMesh& mesh, Report& report) {
              {}});
     }
     if (report.repair.nodes_left == 0) return;
-    Finding finding{"FINISH_NON_MANIFOLD",
-                    Severity::warning,
-                    "nodes where the surface of the tets still touches itself, among tets too flat to be cut smaller: "
-                    "leave a gap there or unite what touches",
-                    0,
-                    {}};
+    Finding finding{
+        "FINISH_NON_MANIFOLD",
+        Severity::warning,
+        "nodes where the surface of the tets still touches itself: they could not be parted in floats without "
+        "new faults, or all tets there are locked; leave a gap or unite what touches",
+        0,
+        {}};
     for (const Index v : non_manifold(boundary_of(mesh).faces).vertices) count_one(finding, {mesh.positions[v], v, {}});
     report.findings.push_back(std::move(finding));
 }

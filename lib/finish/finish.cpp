@@ -31,9 +31,9 @@ void check_input(const Shell& shell, const TetMesh& mesh) {
 void repair(TetMesh& mesh, const Shell& shell, Report& report, const Context& context) {
     Repaired repaired = repair_surface(std::move(mesh), shell.locked, context);
     mesh = std::move(repaired.mesh);
-    report.repair = {repaired.report.edges_before, repaired.report.nodes_before, repaired.report.nodes_left,
-                     repaired.report.removed,      repaired.report.added,        repaired.report.split,
-                     repaired.report.bent,         repaired.report.cut};
+    const RepairReport& r = repaired.report;
+    report.repair = {r.edges_before, r.nodes_before, r.nodes_left, r.removed,        r.added,
+                     r.split,        r.bent,         r.cut,        r.volume_removed, r.volume_added};
 }
 
 double largest_slide(const Shell& shell, const TetMesh& mesh) {

@@ -104,6 +104,8 @@ struct Repair {
     std::uint64_t split = 0;
     std::uint64_t bent = 0;
     std::uint64_t cut = 0;
+    double volume_removed = 0;
+    double volume_added = 0;
 };
 
 template <class Visitor, FieldsOf<Repair> P>
@@ -116,6 +118,8 @@ void describe(Visitor& visit, P& p) {
     visit.field("split", p.split, "nodes copied, so that parts no longer touch there");
     visit.field("bent", p.bent, "edges that parts were bent off, each by a new node");
     visit.field("cut", p.cut, "nodes whose tets were cut down to one tip, by new nodes below");
+    visit.field("volume_removed", p.volume_removed, "cubic metres taken away by all of this");
+    visit.field("volume_added", p.volume_added, "cubic metres added");
 }
 
 struct Report {

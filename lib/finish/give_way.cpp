@@ -12,13 +12,14 @@ namespace crumple::finish {
 
 namespace {
 
-// From the middle of an edge to that of the nodes around it, a part is bent by so much; halved where a tet would turn
+// From the middle of an edge towards what lies across it, a part is bent by so much; halved where a tet would turn
 // inside out.
 constexpr double first_bend = 0.25;
 constexpr double least_bend = 0.03;
 
-// Where the edges at a node are cut, seen from it; the next one where rounding turns a flat tet inside out.
-constexpr double cut_shares[] = {0.5, 0.4, 0.6, 0.3, 0.7};
+// Where the edges at a node are cut, seen from it: a twentieth of the tets' volume goes. The next one where rounding
+// turns a flat tet inside out.
+constexpr double cut_shares[] = {0.35, 0.45, 0.55, 0.3, 0.65};
 
 double volume_of(const TetSelection& tets, const std::vector<Index>& part) {
     double sum = 0;
@@ -30,7 +31,7 @@ double volume_of(const TetSelection& tets, const std::vector<Index>& part) {
 class Refining {
 public:
     explicit Refining(const TetSelection& tets)
-        : tets_(tets), next_(static_cast<Index>(tets.mesh().positions.size())) {}
+        : tets_(&tets), next_(static_cast<Index>(tets.mesh().positions.size())) {}
 
     Index add_node(Vec3 place) {
         change_.places.push_back(round_to_float(place));
@@ -39,12 +40,18 @@ public:
 
     void take(Index tet) {
         change_.gone.push_back(tet);
-        change_.cost += tets_.volume(tet);
+        change_.cost += tets_->volume(tet);
+    }
+
+    // That a tet is positive, although it is not put.
+    void require(const Tet& tet) {
+        const auto& [a, b, c, d] = tet;
+        is_sound_ &= orient3d(at(a), at(b), at(c), at(d)) > 0;
     }
 
     void put(const Tet& tet, Index like) {
         const auto& [a, b, c, d] = tet;
-        is_sound_ &= orient3d(at(a), at(b), at(c), at(d)) > 0;
+        require(tet);
         change_.added.push_back(tet);
         change_.like.push_back(like);
         change_.cost -= signed_volume(at(a), at(b), at(c), at(d));
@@ -55,11 +62,11 @@ public:
 
 private:
     [[nodiscard]] Vec3 at(Index node) const {
-        const std::vector<Vec3>& known = tets_.mesh().positions;
+        const std::vector<Vec3>& known = tets_->mesh().positions;
         return node < known.size() ? known[node] : change_.places[node - known.size()];
     }
 
-    const TetSelection& tets_;
+    const TetSelection* tets_;
     Index next_;
     SurfaceChange change_;
     bool is_sound_ = true;
@@ -70,21 +77,67 @@ Tet with(Tet tet, Index old, Index fresh) {
     return tet;
 }
 
-void bend(const TetSelection& tets, const std::vector<Index>& part, const Edge& edge, double share,
-          Refining& refining) {
-    const std::vector<Vec3>& at = tets.mesh().positions;
-    const Vec3 middle = (at[edge[0]] + at[edge[1]]) * 0.5;
-    Vec3 inwards{};
-    for (const Index t : part) {
-        for (const Index v : tets.mesh().tets[t]) {
-            if (v != edge[0] && v != edge[1]) inwards += at[v] - middle;
+// A part of tets around an edge, and a place in it to bend it off the edge.
+class Fan {
+public:
+    Fan(const TetSelection& tets, const std::vector<Index>& part, const Edge& edge)
+        : tets_(tets), part_(part), edge_(edge), middle_((at(edge[0]) + at(edge[1])) * 0.5) {}
+
+    // Where to bend to: the middle of all, and if the fan is so wide that this lies outside, towards each node around
+    // the edge.
+    [[nodiscard]] std::vector<Vec3> targets() const {
+        std::vector<Vec3> targets{{}};
+        for (const Index t : part_) {
+            for (const Index v : tets_.mesh().tets[t]) {
+                if (v == edge_[0] || v == edge_[1]) continue;
+                targets[0] += at(v) / (2 * static_cast<double>(part_.size()));
+                targets.push_back(at(v));
+            }
+        }
+        return targets;
+    }
+
+    // With a node of its own, a share of the way from the edge to there.
+    void bend(Vec3 target, double share, Refining& refining) const {
+        const Index node = refining.add_node(middle_ + (target - middle_) * share);
+        for (const Index t : part_) {
+            refining.take(t);
+            for (const Index end : edge_) refining.put(with(tets_.mesh().tets[t], end, node), t);
+            for (int corner = 0; corner < 4; ++corner) {
+                if (is_rim(t, corner)) refining.require(with(tets_.mesh().tets[t], tets_.mesh().tets[t][corner], node));
+            }
         }
     }
-    const Index node = refining.add_node(middle + inwards * (share / (2 * static_cast<double>(part.size()))));
-    for (const Index t : part) {
-        refining.take(t);
-        for (const Index end : edge) refining.put(with(tets.mesh().tets[t], end, node), t);
+
+private:
+    [[nodiscard]] Vec3 at(Index node) const { return tets_.mesh().positions[node]; }
+
+    // Whether the face opposite a corner holds the edge and is one where the fan ends.
+    [[nodiscard]] bool is_rim(Index tet, int corner) const {
+        const Index opposite = tets_.mesh().tets[tet][corner];
+        if (opposite == edge_[0] || opposite == edge_[1]) return false;
+        return std::find(part_.begin(), part_.end(), tets_.neighbour(tet, corner)) == part_.end();
     }
+
+    const TetSelection& tets_;
+    const std::vector<Index>& part_;
+    Edge edge_;
+    Vec3 middle_;
+};
+
+// The whole part must see the node: then its tets with the node overlap nothing.
+bool bend(const TetSelection& tets, const std::vector<Index>& part, const Edge& edge, Refining& refining) {
+    const Fan fan(tets, part, edge);
+    for (const Vec3 target : fan.targets()) {
+        for (double share = first_bend; share > least_bend; share *= 0.5) {
+            Refining trial = refining;
+            fan.bend(target, share, trial);
+            if (!trial.is_sound()) continue;
+            refining = std::move(trial);
+            return true;
+        }
+    }
+    return false;
 }
 
 // A tet as its node and the three others, ascending; is_odd: swap two of them and it is positive.
@@ -141,11 +194,12 @@ Index best_of(const TetSelection& tets, const std::vector<Index>& star) {
 
 void cut_star(const TetSelection& tets, Index node, double share, Refining& refining) {
     const std::vector<Index> star = tets.tets_at(node);
+    if (star.empty()) return;
     const Cuts cuts(tets, node, share, refining);
     const Index kept = best_of(tets, star);
     for (const Index t : star) {
         const auto [tet, is_odd] = sorted_from(tets.mesh().tets[t], node);
-        const bool swaps = is_odd;
+        const bool swaps = is_odd;  // clang 14 captures no structured binding
         const auto put = [&](Index a, Index b, Index c, Index d) {
             refining.put(swaps ? Tet{a, b, d, c} : Tet{a, b, c, d}, t);
         };
@@ -169,12 +223,11 @@ SurfaceChange bend_off_edge(const TetSelection& tets, Index node, Index end) {
         return volume_of(tets, a) < volume_of(tets, b);
     });
     parts.erase(largest);
-    for (double share = first_bend; share > least_bend; share *= 0.5) {
-        Refining refining(tets);
-        for (const std::vector<Index>& part : parts) bend(tets, part, {node, end}, share, refining);
-        if (refining.is_sound()) return std::move(refining).take_change();
+    Refining refining(tets);
+    for (const std::vector<Index>& part : parts) {
+        if (!bend(tets, part, {node, end}, refining)) return {};
     }
-    return {};
+    return std::move(refining).take_change();
 }
 
 // Edges are cut in the order of their other ends: so neighbours agree on how their common sides are divided.

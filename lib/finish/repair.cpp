@@ -19,6 +19,9 @@ constexpr int max_sideways = 50;
 // Changes weighed at most: a mesh that is bad all over is not made good by taking it apart.
 constexpr int max_weighed = 50000;
 
+// And of those that need new nodes.
+constexpr int max_cuts = 5000;
+
 class Repairer {
 public:
     Repairer(TetMesh mesh, std::span<const std::uint8_t> locked)
@@ -176,9 +179,17 @@ private:
         return faults;
     }
 
+    // Tets that no step moves do no harm by touching, and new nodes among them would be loose.
+    [[nodiscard]] bool has_rigid_tet(const SurfaceChange& change) const {
+        return std::any_of(change.gone.begin(), change.gone.end(), [&](Index t) {
+            const Tet& corners = tets_.mesh().tets[t];
+            return std::none_of(corners.begin(), corners.end(), [&](Index v) { return may_split(v); });
+        });
+    }
+
     // Carries the change out if that leaves less wrong.
     bool gives_way(const SurfaceChange& change) {
-        if (change.is_empty()) return false;
+        if (change.is_empty() || has_rigid_tet(change) || ++cuts_weighed_ > max_cuts) return false;
         const std::vector<Index> nodes = tets_.nodes_of(change);
         const auto first_new = std::lower_bound(nodes.begin(), nodes.end(), last_node() + 1);
         const Faults before = faults_at({nodes.begin(), first_new});
@@ -199,7 +210,8 @@ private:
     std::set<Index> waiting_;
     int sideways_ = 0;  // changes that mended no more than they spoilt
     int weighed_ = 0;   // changes so far, done or not
-    Index next_ = 0;    // bad node to ask first
+    int cuts_weighed_ = 0;
+    Index next_ = 0;  // bad node to ask first
     RepairReport report_;
 };
 

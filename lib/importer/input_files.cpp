@@ -84,6 +84,7 @@ bool is_gltf(const std::string& path) {
 std::vector<std::string> buffer_paths(const std::string& path, const Params& params) {
     if (!is_gltf(path)) return {};
     const auto outcome = sandbox::run_in_child([&] { return encoded(read_buffer_paths(path)); }, limits_of(params));
+    if (outcome.ending == sandbox::Ending::starved) throw Error(ErrorKind::budget, path + ": " + outcome.message);
     return outcome.ending == sandbox::Ending::ok ? decoded(outcome.answer) : std::vector<std::string>();
 }
 

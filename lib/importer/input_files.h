@@ -16,8 +16,8 @@ struct InputFile {
 };
 
 // Each file given with what belongs to it, in order, whether it is there or not. A file that cannot be read as glTF has
-// nothing that belongs to it: import says what is wrong with it. Throws Error(usage) as visual_names does.
-// REQUIRES: as import_asset.
+// nothing that belongs to it: import says what is wrong with it. Throws Error(usage) as visual_names does,
+// Error(budget) when the system leaves too little memory to look. REQUIRES: as import_asset.
 [[nodiscard]] std::vector<InputFile> input_files(const Sources& sources, const Params& params = {});
 
 // As far as can be told without assimp: that each file is there, is of a format that is read, and what its prescan asks

@@ -34,11 +34,6 @@ public:
     std::vector<Finding> list;
 };
 
-bool holds_in_float(Vec3 p) {
-    return is_finite(p) && std::fabs(p.x) <= 3.4e38 && std::fabs(p.y) <= 3.4e38 && std::fabs(p.z) <= 3.4e38 &&
-           round_to_float(p) == p;
-}
-
 template <std::size_t N>
 bool is_simplex(const std::array<Index, N>& corners, std::size_t vertex_count) {
     for (std::size_t i = 0; i < N; ++i) {
@@ -98,7 +93,7 @@ std::vector<Finding> validate(const Shell& shell) {
     Findings findings;
     const std::size_t vertex_count = shell.positions.size();
     findings.add_each("SHELL_POSITION", "positions must be finite floats", vertex_count,
-                      [&](Index v) { return !holds_in_float(shell.positions[v]); });
+                      [&](Index v) { return !is_float(shell.positions[v]); });
     findings.add_each("SHELL_CORNERS", "triangles refer to vertices that are not there, or to one twice",
                       shell.triangles.size(), [&](Index f) { return !is_simplex(shell.triangles[f], vertex_count); });
     if (!shell.color.empty() && shell.color.size() != vertex_count)
@@ -113,7 +108,7 @@ std::vector<Finding> validate(const Shell& shell) {
 std::vector<Finding> validate(const TetMesh& mesh, Index component_count) {
     Findings findings;
     findings.add_each("TETS_POSITION", "positions must be finite floats", mesh.positions.size(),
-                      [&](Index v) { return !holds_in_float(mesh.positions[v]); });
+                      [&](Index v) { return !is_float(mesh.positions[v]); });
     if (mesh.shell_vertex_count > mesh.positions.size())
         findings.add("TETS_SIZES", "there are fewer nodes than shell vertices");
     if (check_tets(findings, mesh)) check_neighbours(findings, mesh);

@@ -137,8 +137,8 @@ std::string check_text(const FileCheck& check, bool has_color, bool is_verbose) 
     const std::size_t places = is_verbose ? max_places : 0;
     if (check.exit_code != exit_ok && check.exit_code != exit_quality) return failure_text(check, name, has_color);
     std::string text = verdict_text(check, name);
-    const std::size_t gate_places = check.exit_code == exit_quality ? max_places : places;
-    text += report::findings_text(check.findings, {has_color, 2, gate_places});
+    const std::size_t shown = check.exit_code == exit_quality ? max_places : places;
+    text += report::findings_text(check.findings, {has_color, 2, shown});
     for (const StageFindings& stage : check.stages) {
         if (stage.stage == "gates") continue;
         text += "  while cooking, " + report::printable(stage.stage) + ":\n" +

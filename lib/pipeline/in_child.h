@@ -12,9 +12,9 @@
 
 namespace crumple::pipeline {
 
-// Throws Error(difference) "<name>: ..." when the work refuses the file, crashes or meets a limit. An Error of kind file
-// stays one; that of kind usage, a whole file in which what is asked for is not there yet, becomes bad_input; where the
-// system leaves too little memory (ulimit -v) it is one of kind budget. `time_s` by the wall.
+// Throws Error(difference) "<name>: ..." when the work refuses the file, crashes or meets a limit. An Error of kind
+// file stays one; that of kind usage, a whole file in which what is asked for is not there yet, becomes bad_input;
+// where the system leaves too little memory (ulimit -v) it is one of kind budget. `time_s` by the wall.
 [[nodiscard]] std::string run_text_in_child(const std::function<std::string()>& work, const std::string& name,
                                             double time_s = 120);
 

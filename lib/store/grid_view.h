@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The group /VTKHDF of a file, which ParaView opens: an unstructured grid with cells of one kind, as VTKHDF 1.0 says and
-// VTK 9.1 reads it.
+// The group /VTKHDF of a file, which ParaView opens: an unstructured grid with cells of one kind, as VTKHDF 1.0 says
+// and VTK 9.1 reads it.
 #pragma once
 #include <array>
 #include <cstdint>

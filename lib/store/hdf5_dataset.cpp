@@ -18,7 +18,9 @@ void require(bool ok, const std::string& what) {
     if (!ok) throw std::runtime_error(what);
 }
 
-void require_hdf5(bool ok) { require(ok, last_hdf5_error()); }
+void require_hdf5(bool ok) {
+    if (!ok) throw std::runtime_error(last_hdf5_error());
+}
 
 Shape shape_of(hid_t space) {
     if (H5Sget_simple_extent_type(space) == H5S_SCALAR) return {};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <new>
 #include <stdexcept>
 
 #include "core/error.h"
@@ -97,16 +98,22 @@ void prepare_hdf5() {
 }
 
 std::string last_hdf5_error() {
-    std::string text = "HDF5 gives no reason";
+    struct Reason {
+        std::string text = "HDF5 gives no reason";
+        bool is_want_of_memory = false;
+    } reason;
     // Upward: the call that failed first comes first.
     H5Ewalk2(
         H5E_DEFAULT, H5E_WALK_UPWARD,
         [](unsigned depth, const H5E_error2_t* error, void* data) -> herr_t {
-            if (depth == 0 && error->desc) *static_cast<std::string*>(data) = error->desc;
+            Reason& first = *static_cast<Reason*>(data);
+            if (depth == 0 && error->desc) first.text = error->desc;
+            if (depth == 0) first.is_want_of_memory = error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE;
             return 0;
         },
-        &text);
-    return text;
+        &reason);
+    if (reason.is_want_of_memory) throw std::bad_alloc();
+    return reason.text;
 }
 
 }

@@ -2,6 +2,7 @@
 """crumple check, inspect, compare and export; what other programs make of a bundle."""
 import json
 import random
+import resource
 import struct
 import unittest
 
@@ -109,6 +110,20 @@ class Check(program.Case):
         self.assertEqual(self.check(self.output, damaged, self.output)[0], 7)
         self.assertEqual(self.check(damaged, none, self.output)[0], 2)
         self.assertEqual([file["exit_code"] for file in self.check(damaged, none, self.output)[1]["files"]], [7, 2, 0])
+
+    @unittest.skipUnless(program.OPTIMIZED, "AddressSanitizer's own mappings exclude a limit on the address space")
+    def test_too_little_memory_is_no_damage(self):
+        samples = program.SOURCE / "samples" / "car"
+        self.ok(program.run("cook", "smoke", "--shell", samples / "car_shell.glb", "--visual", samples / "car_visual.glb",
+                            "--keep-work", "-o", self.output))
+        codes = set()
+        for mebibytes in range(50, 110, 3):
+            for verb in "check", "inspect":
+                limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+                process = program.run(verb, self.output, preexec_fn=limit)
+                self.assertIn(process.returncode, (0, 6), f"{verb} {mebibytes} MiB: {process.stdout}{process.stderr}")
+                codes.add(process.returncode)
+        self.assertEqual(codes, {0, 6})
 
     def test_text_names_each_file_and_what_is_wrong(self):
         damaged = self.path("damaged.hdf")

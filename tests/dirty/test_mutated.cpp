@@ -156,8 +156,8 @@ struct Outcomes {
     std::uint64_t touching = 0;  // of the cooked, those whose surface still touches itself
 };
 
-// Where surfaces of the shell run through each other, touch or all but coincide, tets may be too flat for floats to cut
-// them smaller, and repair cannot part them. Then it says so. Returns how many nodes are left.
+// Where surfaces of the shell run through each other, touch or all but coincide, repair may find no way in floats to
+// part them. Then it says so. Returns how many nodes are left.
 std::size_t expect_manifold_or_told(const Cooked& cooked) {
     const NonManifold left = test::touching(cooked);
     if (left.vertices.empty()) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
+#include "core/random.h"
 #include "mesh/validate.h"
 #include "small_meshes.h"
 
@@ -46,6 +48,46 @@ TEST(GiveWay, TwoBlocksThatShareAnEdgeAreBentApartAlongIt) {
     EXPECT_TRUE(tets.bad_ends_at(high).empty());
     EXPECT_FALSE(tets.is_manifold(low)) << "they still touch at its ends";
     expect_gave_way(mesh, change, std::move(tets).take());
+}
+
+// A part that goes nearly all the way around an edge, its tets at 0, 160 and 320 degrees, and a long wedge in the gap:
+// the middle of its corners lies in the wedge.
+TetMesh fan_and_wedge() {
+    const auto around = [](double degrees, double radius) {
+        const double angle = degrees * std::numbers::pi / 180;
+        return Vec3{radius * std::cos(angle), radius * std::sin(angle), 0};
+    };
+    return small::mesh_of(
+        {{0, 0, -1}, {0, 0, 1}, around(0, 1), around(160, 0.3), around(320, 1), around(325, 8), around(355, 8)},
+        {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 5, 6}}, 7);
+}
+
+// In how many tets a place lies.
+int tets_around(const TetMesh& mesh, Vec3 place) {
+    return static_cast<int>(std::count_if(mesh.tets.begin(), mesh.tets.end(), [&](const Tet& tet) {
+        return std::all_of(std::begin(tet_face_corners), std::end(tet_face_corners), [&](const auto& face) {
+            return orient3d(mesh.positions[tet[face[0]]], mesh.positions[tet[face[1]]], mesh.positions[tet[face[2]]],
+                            place) < 0;
+        });
+    }));
+}
+
+TEST(GiveWay, APartThatGoesNearlyAroundAnEdgeStaysOutOfTheGap) {
+    const TetMesh mesh = fan_and_wedge();
+    ASSERT_TRUE(small::is_all_positive(mesh));
+    TetSelection tets(mesh);
+    const SurfaceChange change = bend_off_edge(tets, 0, 1);
+    ASSERT_FALSE(change.is_empty());
+    tets.put(change);
+    const TetMesh after = std::move(tets).take();
+    expect_gave_way(mesh, change, after);
+    Rng random(1, 0);
+    for (int i = 0; i < 20000; ++i) {
+        const double x = 8 * random.next_unit();
+        const double y = -5 * random.next_unit();
+        const Vec3 place{0.2 * (x - 1), 0.2 * (y + 2), random.next_unit() - 0.5};
+        EXPECT_LE(tets_around(after, place), tets_around(mesh, place));
+    }
 }
 
 TEST(GiveWay, AnEdgeOfOnePartIsLeftAlone) {

@@ -120,6 +120,15 @@ TEST(Repair, ALockedNodeIsNotCopied) {
     EXPECT_TRUE(non_manifold(boundary_of(repaired.mesh).faces).vertices.empty());
 }
 
+TEST(Repair, LockedMaterialGetsNoLooseNodes) {
+    const TetMesh mesh = bow_tie();
+    const std::uint8_t locked[] = {1, 1, 1, 1, 1, 1, 1};
+    const Repaired repaired = repair_surface(mesh, locked, {});
+    EXPECT_EQ(repaired.report.nodes_left, 1u) << "it is rigid: touching does no harm";
+    EXPECT_EQ(repaired.mesh.positions, mesh.positions);
+    EXPECT_EQ(repaired.mesh.tets, mesh.tets);
+}
+
 TEST(Repair, WhatFloatsCannotHoldIsSaid) {
     // So far out that nothing lies between two neighbouring places.
     TetMesh mesh = bow_tie();

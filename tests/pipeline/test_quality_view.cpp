@@ -38,8 +38,8 @@ TEST(QualityView, TellsEveryTetOfTheBundleInItsOrder) {
     for (const Vec3f p : work.bundle->rest_positions) positions.push_back({p.x, p.y, p.z});
     for (std::size_t t = 0; t < angles.size(); ++t) {
         const auto& [a, b, c, d] = work.bundle->tets[t];
-        EXPECT_FLOAT_EQ(angles[t], static_cast<float>(quality::degrees_of(
-                                       quality::min_dihedral_key(positions[a], positions[b], positions[c], positions[d]))));
+        EXPECT_FLOAT_EQ(angles[t], static_cast<float>(quality::degrees_of(quality::min_dihedral_key(
+                                       positions[a], positions[b], positions[c], positions[d]))));
     }
     const quality::Summary summary = quality::summarize(positions, work.bundle->tets);
     EXPECT_FLOAT_EQ(*std::min_element(angles.begin(), angles.end()), static_cast<float>(summary.min_dihedral_deg));
